@@ -96,16 +96,39 @@ static void find_loads(const Rest *rest, double *load)
         if (!rest->held[rest->part_of[i]]) load[i] -= model->mass[i] * sum[rest->part_of[i]] / mass[rest->part_of[i]];
 }
 
+/* Solves K u = loads where no line joins two bodies, so that K is diagonal. */
+static gboolean find_rest_apart(Rest *rest, double stiffest)
+{
+    const TinkerModel *model = rest->model;
+    const TinkerMergedLines *lines = &model->lines;
+    g_autofree double *stiffness = g_new0(double, model->bodies);
+    for (int32_t i = 0; i < lines->count; i++)
+        if (MIN(lines->a[i], lines->b[i]) < model->bodies)
+            stiffness[MIN(lines->a[i], lines->b[i])] += lines->stiffness[i];
+    find_loads(rest, rest->displacement);
+    for (int32_t i = 0; i < model->bodies; i++) {
+        if (!rest->held[i]) stiffness[i] += stiffest > 0 ? stiffest : 1.0;
+        if (!(stiffness[i] > 0)) return FALSE;
+        rest->displacement[i] *= 1.0 / stiffness[i];
+    }
+    return TRUE;
+}
+
 /* Solves K u = loads; a part that hangs on nothing is held at its first body. */
 static gboolean find_rest(Rest *rest)
 {
     const TinkerModel *model = rest->model;
     const TinkerMergedLines *lines = &model->lines;
-    g_autofree int *rows = g_new(int, MAX(lines->count, 1)), *columns = g_new(int, MAX(lines->count, 1));
-    gsize count = 0;
     double stiffest = 0;
+    gsize count = 0;
     for (int32_t i = 0; i < lines->count; i++) {
         stiffest = MAX(stiffest, lines->stiffness[i]);
+        if (MAX(lines->a[i], lines->b[i]) < model->bodies) count++;
+    }
+    if (count == 0) return find_rest_apart(rest, stiffest);
+    g_autofree int *rows = g_new(int, count), *columns = g_new(int, count);
+    count = 0;
+    for (int32_t i = 0; i < lines->count; i++) {
         if (MAX(lines->a[i], lines->b[i]) >= model->bodies) continue;
         rows[count] = lines->a[i];
         columns[count++] = lines->b[i];

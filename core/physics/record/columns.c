@@ -21,7 +21,7 @@ void tinker_columns_add_quantity(GArray *columns, TinkerScene *scene, TinkerBloc
     TinkerColumn column = {
         .block = block,
         .quantity = quantity,
-        .name = g_strdup_printf("%s.%s", tinker_scene_owner_name(scene, block), type.id),
+        .name = g_strconcat(tinker_scene_owner_name(scene, block), ".", type.id, NULL),
         .title = type.title,
         .dimension = type.dimension,
         .unit = tinker_unit_si_symbol(type.dimension),

@@ -47,22 +47,30 @@ static char *range_fault(const TinkerPropertyType *property, int32_t component, 
     return g_strdup_printf("%s must be %s %s (it is %s)", name, relation, bound, given);
 }
 
-static char *kind_fault(const TinkerPropertyType *property, int32_t component, double value)
+static gboolean is_of_kind(const TinkerPropertyType *property, double value)
 {
-    g_autofree char *name = component_name(property, component);
-    if (!isfinite(value)) return g_strdup_printf("%s must be a finite number", name);
+    const gboolean whole = value == floor(value);
     switch (property->kind) {
     case TINKER_KIND_INTEGER:
-        if (value == floor(value) && fabs(value) <= 9007199254740992.0) return NULL;
-        return g_strdup_printf("%s must be a whole number (it is %.17g)", name, value);
+        return whole && fabs(value) <= 9007199254740992.0;
     case TINKER_KIND_SWITCH:
-        return value == 0 || value == 1 ? NULL : g_strdup_printf("%s must be true or false", name);
+        return value == 0 || value == 1;
     case TINKER_KIND_CHOICE:
-        if (value == floor(value) && value >= 0 && value < property->choice_count) return NULL;
-        return g_strdup_printf("%s must be one of its %d choices", name, property->choice_count);
+        return whole && value >= 0 && value < property->choice_count;
     default:
-        return NULL;
+        return TRUE;
     }
+}
+
+static char *kind_fault(const TinkerPropertyType *property, int32_t component, double value)
+{
+    if (isfinite(value) && is_of_kind(property, value)) return NULL;
+    g_autofree char *name = component_name(property, component);
+    if (!isfinite(value)) return g_strdup_printf("%s must be a finite number", name);
+    if (property->kind == TINKER_KIND_INTEGER)
+        return g_strdup_printf("%s must be a whole number (it is %.17g)", name, value);
+    if (property->kind == TINKER_KIND_SWITCH) return g_strdup_printf("%s must be true or false", name);
+    return g_strdup_printf("%s must be one of its %d choices", name, property->choice_count);
 }
 
 char *scene_value_fault(const TinkerPropertyType *property, const double *values, const char *const *typed)
