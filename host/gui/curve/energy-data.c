@@ -153,19 +153,21 @@ void tinker_energy_data_fill_plot(TinkerEnergyData *data, TinkerPlot *plot)
     int count = 0;
     for (int k = 0; k < TINKER_ENERGY_LAYERS; k++) {
         if (!tinker_energy_data_has(data, (TinkerEnergyLayer)k)) continue;
-        data->curves[count++] = (TinkerCurve){.x = numbers(data->times[0]),
-                                              .y = numbers(data->tops[k]),
-                                              .low = numbers(k > 0 ? data->tops[k - 1] : data->floor),
-                                              .high = numbers(data->tops[k]),
-                                              .filled = TRUE,
-                                              .count = data->count,
-                                              .colour = k};
+        data->curves[count] = (TinkerCurve){.x = numbers(data->times[0]),
+                                            .y = numbers(data->tops[k]),
+                                            .low = numbers(k > 0 ? data->tops[k - 1] : data->floor),
+                                            .high = numbers(data->tops[k]),
+                                            .filled = TRUE,
+                                            .count = data->count,
+                                            .colour = k};
+        count++;
     }
-    data->curves[count++] = (TinkerCurve){.label = _("At the start and given since"),
-                                          .x = numbers(data->times[0]),
-                                          .y = numbers(data->sum),
-                                          .count = data->count,
-                                          .role = TINKER_CURVE_GUIDE};
+    data->curves[count] = (TinkerCurve){.label = _("At the start and given since"),
+                                        .x = numbers(data->times[0]),
+                                        .y = numbers(data->sum),
+                                        .count = data->count,
+                                        .role = TINKER_CURVE_GUIDE};
+    count++;
     g_free(data->label);
     data->label = tinker_axis_label(_("Energy"), "J");
     plot->x_label = _("Time [s]");
