@@ -159,6 +159,13 @@ static void write_all(TinkerEquationWriter *writer)
     tinker_writer_mark_redundant(writer);
 }
 
+static void sampled_free(gpointer data)
+{
+    TinkerSampledSymbol *sampled = data;
+    g_free(sampled->stem);
+    g_free(sampled);
+}
+
 TinkerEquations *tinker_equations_new(TinkerScene *scene, const TinkerModelState *state, GError **error)
 {
     g_autoptr(TinkerFrame) start = tinker_frame_new(scene, error), frame = tinker_frame_new(scene, NULL);
@@ -190,12 +197,13 @@ TinkerEquations *tinker_equations_new(TinkerScene *scene, const TinkerModelState
         .points = tinker_writer_points_new(),
         .body_of = g_hash_table_new(NULL, NULL),
         .places = g_hash_table_new_full(g_str_hash, g_str_equal, g_free, NULL),
+        .sampled = g_hash_table_new_full(g_str_hash, g_str_equal, NULL, sampled_free),
         .slopes = g_array_new(FALSE, FALSE, sizeof(TinkerRowSlope)),
     };
     write_all(&writer);
     g_array_unref(writer.slopes);
-    GHashTable *const tables[] = {writer.indices, writer.stems,   writer.by_name,
-                                  writer.points,  writer.body_of, writer.places};
+    GHashTable *const tables[] = {writer.indices, writer.stems,  writer.by_name, writer.points,
+                                  writer.body_of, writer.places, writer.sampled};
     for (gsize i = 0; i < G_N_ELEMENTS(tables); i++)
         g_hash_table_unref(tables[i]);
     return equations;

@@ -104,13 +104,44 @@ static TinkerExpression *velocity_of(const TinkerEquationWriter *writer, const c
     return g_hash_table_contains(writer->equations->values, velocity) ? tinker_expression_symbol(velocity) : NULL;
 }
 
+/* A symbol of a table, or of a derivative of it, with its value now. */
+static TinkerExpression *sampled_symbol(TinkerEquationWriter *writer, const TinkerSampledSymbol *is, const char *means)
+{
+    const char *name = tinker_writer_name(writer, is->block, is->stem, is->dots, NULL);
+    TinkerSampledSymbol *kept = g_memdup2(is, sizeof *is);
+    kept->stem = g_strdup(is->stem);
+    kept->rate = NULL;
+    g_hash_table_insert(writer->sampled, (void *)g_intern_string(name), kept);
+    tinker_writer_note_unwritten(writer, is->block, name, "its waveform is a table");
+    const double value = tinker_frame_column(writer->frame, is->block, is->column + is->dots);
+    return tinker_writer_symbol(writer, name, is->block, value, is->dimension, NULL, means);
+}
+
+/* The derivative by time of what a table says; NULL: the symbol is of none. */
+static TinkerExpression *sampled_rate(TinkerEquationWriter *writer, const char *symbol)
+{
+    TinkerSampledSymbol *known = g_hash_table_lookup(writer->sampled, symbol);
+    if (known == NULL || known->dots == 2) return NULL;
+    if (known->rate != NULL) return tinker_expression_symbol(known->rate);
+    TinkerSampledSymbol next = *known;
+    next.dots++;
+    next.dimension.time--;
+    TinkerExpression *rate = sampled_symbol(writer, &next, next.dots == 1 ? "its velocity" : "its acceleration");
+    known->rate = g_intern_string(rate->name);
+    return rate;
+}
+
 static TinkerExpression *derivative_of(const char *symbol, void *data)
 {
     const Derivative *asked = data;
     if (asked->by != NULL ? strcmp(symbol, asked->by) == 0 : strcmp(symbol, "t") == 0)
         return tinker_expression_number(1);
     const TinkerEquationDefinition *definition = g_hash_table_lookup(asked->writer->by_name, symbol);
-    if (definition == NULL) return asked->by == NULL ? velocity_of(asked->writer, symbol) : NULL;
+    if (definition == NULL) {
+        if (asked->by != NULL) return NULL;
+        TinkerExpression *rate = sampled_rate(asked->writer, symbol);
+        return rate != NULL ? rate : velocity_of(asked->writer, symbol);
+    }
     if (asked->by != NULL && g_hash_table_contains(asked->writer->places, symbol)) return NULL;
     TinkerExpression *found = tinker_expression_derivative(definition->is, derivative_of, data);
     /* that of a distance L has L below the line, which has a name */
@@ -199,9 +230,11 @@ static TinkerExpression *waveform(TinkerEquationWriter *writer, const TinkerLawU
     if (kind == TINKER_WAVEFORM_NONE) return tinker_expression_number(0);
     g_autofree char *stem = symbol->at_start ? g_strconcat(type->symbol, "0", NULL) : g_strdup(symbol->name);
     if (kind == TINKER_WAVEFORM_TABLE) {
+        const TinkerSampledSymbol sampled = {
+            .block = block, .stem = stem, .column = symbol->column, .dimension = symbol->dimension};
+        if (!symbol->at_start) return sampled_symbol(writer, &sampled, type->description);
         const char *name = tinker_writer_name(writer, block, stem, 0, NULL);
-        const TinkerFrame *frame = symbol->at_start ? writer->start : writer->frame;
-        const double value = tinker_frame_column(frame, block, symbol->column);
+        const double value = tinker_frame_column(writer->start, block, symbol->column);
         tinker_writer_note_unwritten(writer, block, name, "its waveform is a table");
         return tinker_writer_symbol(writer, name, block, value, symbol->dimension, NULL, type->description);
     }

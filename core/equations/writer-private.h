@@ -22,8 +22,19 @@ typedef struct {
     GHashTable *body_of; /* block of a body to its TinkerBodyEquation */
     GHashTable *places;  /* names of definitions that say where points of bodies are: slopes by a place or an angle
                             take these as they stand */
+    GHashTable *sampled; /* name of a symbol of a table, or of its rate, to TinkerSampledSymbol */
     GArray *slopes;      /* of TinkerRowSlope */
 } TinkerEquationWriter;
+
+/* A function of time that only its table knows: it and its first derivatives are symbols with values. */
+typedef struct {
+    TinkerBlockId block;
+    char *stem;
+    int32_t column; /* of its value; those of its derivatives follow */
+    int dots;       /* derivatives that this symbol stands for */
+    TinkerDimension dimension;
+    const char *rate; /* name of its derivative; NULL: nothing has asked for it yet */
+} TinkerSampledSymbol;
 
 /* What a constraint row does to a body: its slopes by x, y and angle, each over the root of what is moved. */
 typedef struct {

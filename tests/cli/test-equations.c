@@ -182,6 +182,24 @@ static void test_angles(CliFixture *fixture, gconstpointer data)
     cli_assert_holds(none->output, "Load has no equations in angles: it hangs on no rod from a support");
 }
 
+/* A wall that a table moves at 1.5 m/s pulls 1 kg by a damper of 2 N s/m: T = -2 (1.5 - v), v = 1.5 (1 - exp(-2 t)). */
+static void test_table(CliFixture *fixture, gconstpointer data)
+{
+    g_autofree char *table = cli_write(fixture, "way.csv", "t,x\n0,0\n1,1.5\n2,3\n");
+    g_autofree char *scene =
+        cli_write(fixture, "scene.json",
+                  "{\"tinker\": 1, \"blocks\": [{\"type\": \"support\", \"name\": \"Wall\", \"solid\": false},"
+                  "{\"type\": \"mass\", \"name\": \"A\", \"position\": [3, 0]},"
+                  "{\"type\": \"damper\", \"ends\": [\"Wall\", \"A\"], \"damping\": 2},"
+                  "{\"type\": \"support-motion\", \"ends\": [\"Wall\"],"
+                  "\"waveform\": {\"table\": \"way.csv\", \"column\": 1}}]}");
+    g_autoptr(TestProgram) page = cli_run_well(fixture, "equations @scene.json --at 0.5");
+    g_autofree char *found = g_utf8_normalize(page->output, -1, G_NORMALIZE_DEFAULT_COMPOSE);
+    g_autofree char *tension = g_strdup_printf("T = −%.6g N\n", 2 * 1.5 * exp(-1));
+    cli_assert_holds(found, "u\u0307 = 1.5 m/s");
+    cli_assert_holds(found, tension);
+}
+
 static void test_formats(CliFixture *fixture, gconstpointer data)
 {
     g_autofree char *scene = cli_write(fixture, "scene.json", HANGING);
@@ -212,6 +230,7 @@ int main(int argc, char **argv)
     cli_test_add("/cli/equations/second-order", test_second_order);
     cli_test_add("/cli/equations/pattern", test_pattern);
     cli_test_add("/cli/equations/angles", test_angles);
+    cli_test_add("/cli/equations/table", test_table);
     cli_test_add("/cli/equations/formats", test_formats);
     cli_test_add("/cli/equations/refused", test_refused);
     return g_test_run();
