@@ -104,9 +104,8 @@ static void describe_bodies(TinkerPlan *plan, const TinkerModel *model, const Ti
         counted(text, g_dngettext(GETTEXT_PACKAGE, "%d body", "%d bodies", (gulong)model->bodies), model->bodies);
     if (model->turning > 0)
         say(plan->modelled,
-            g_dngettext(GETTEXT_PACKAGE, "%s, of which %d with an angle beside its place: %d degrees of freedom",
-                        "%s, of which %d with an angle beside their places: %d degrees of freedom",
-                        (gulong)model->turning),
+            g_dngettext(GETTEXT_PACKAGE, "%s, of which %d can turn: %d degree of freedom",
+                        "%s, of which %d can turn: %d degrees of freedom", (gulong)sizes.degrees_of_freedom),
             bodies, model->turning, sizes.degrees_of_freedom);
     else
         say(plan->modelled,
