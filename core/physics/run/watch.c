@@ -86,8 +86,8 @@ static void warn_of_unsolved(TinkerIslandRun *run)
 {
     const TinkerUnsolved *all = &run->system.unsolved;
     if (all->steps == 0) return;
-    g_ptr_array_add(
-        run->summary.warnings,
+    tinker_summary_warn_of_scene(
+        &run->summary,
         g_strdup_printf(_("from t = %.6g s on, %.0f of %.0f steps went on before the impulses of all contacts were "
                           "solved for: at t = %.6g s one more sweep would have changed speeds by %.3g m/s (smaller "
                           "steps leave less)"),
