@@ -1,6 +1,6 @@
 /* Poisson's second phase is a problem of its own, p_n >= e p of the first with friction up to mu p_n: by projected
- * Gauss-Seidel, which converges for what touches at no more points than determine it, and is as near as its sweeps come
- * elsewhere. */
+ * Gauss-Seidel, which converges for what touches at no more points than determine it; elsewhere it may come to no end,
+ * and what still approaches then is brought to rest. */
 #include "numerics/contact/impact-law.h"
 
 #include <math.h>
@@ -71,8 +71,21 @@ typedef struct {
     const TinkerImpact *impact;
     const double *first; /* 2m: impulses of the first phase, */
     const double *rest;  /* 2m: and velocities behind it */
-    double *second, *u, *least;
+    const double *none;  /* m: no restitution */
+    double *second, *u, *least, *third;
 } Phases;
+
+/* Where sweeps did not come to an end, what still approaches is brought to rest at once, which gains no energy. */
+static void end_sweeps(const Phases *self)
+{
+    const TinkerImpact *impact = self->impact;
+    const TinkerImpact last = {impact->count, impact->delassus, self->u, self->none, impact->friction, NULL,
+                               NULL,          impact->bearer};
+    if (tinker_impact_solve(&last, self->third) != TINKER_CONTACT_SOLVED) return;
+    add_motion(impact, self->third, self->u);
+    for (int32_t i = 0; i < 2 * impact->count; i++)
+        self->second[i] += self->third[i];
+}
 
 /* The second phase with a share of the restitution; answers what energy both phases took, 0 where that is rounding. */
 static double expand(void *data, double share)
@@ -85,8 +98,10 @@ static double expand(void *data, double share)
     memcpy(self->u, self->rest, width * sizeof(double));
     for (int32_t k = 0; k < impact->count; k++)
         self->least[k] = share * impact->restitution[k] * self->first[2 * k];
-    for (int32_t pass = 0; pass < MOST_SWEEPS; pass++)
-        if (sweep(impact, self->least, self->second, self->u) <= enough) break;
+    int32_t pass = 0;
+    while (pass < MOST_SWEEPS && sweep(impact, self->least, self->second, self->u) > enough)
+        pass++;
+    if (pass == MOST_SWEEPS) end_sweeps(self);
     double gained = 0, size = 0;
     for (gsize i = 0; i < width; i++) {
         const double p = self->first[i] + self->second[i];
@@ -105,16 +120,17 @@ static double expand_or_none(void *data, double share)
 static TinkerContactResult strike_in_phases(const TinkerImpact *impact, double *impulses)
 {
     const gsize m = (gsize)impact->count;
-    g_autofree double *room = g_try_new0(double, 8 * m);
+    g_autofree double *room = g_try_new0(double, 10 * m);
     if (room == NULL) return TINKER_CONTACT_NO_MEMORY;
-    double *none = room, *rest = none + m, *second = rest + 2 * m, *u = second + 2 * m, *least = u + 2 * m;
+    double *none = room, *rest = none + m, *second = rest + 2 * m, *u = second + 2 * m, *least = u + 2 * m,
+           *third = least + m;
     TinkerImpact compression = *impact;
     compression.restitution = none;
     const TinkerContactResult result = tinker_impact_solve(&compression, impulses);
     if (result != TINKER_CONTACT_SOLVED) return result;
     memcpy(rest, impact->velocity, 2 * m * sizeof(double));
     add_motion(impact, impulses, rest);
-    Phases phases = {impact, impulses, rest, second, u, least};
+    Phases phases = {impact, impulses, rest, none, second, u, least, third};
     double share = 1;
     if (expand(&phases, share) < 0) {
         share = tinker_step_refine(0, 1, expand_or_none, &phases);
