@@ -297,7 +297,7 @@ static const Fault faults[] = {
     {"variability", spoil_variability, "property \"turns\": its variability is 3, 0 to 2 was expected"},
     {"panel", spoil_panel,
      "property \"turns\": its panel is that of end 2, but the block has at most 2 ends (-1: its own panel)"},
-    {"meaning", spoil_meaning, "property \"turns\": its meaning is 99, 0 to 18 was expected"},
+    {"meaning", spoil_meaning, "property \"turns\": its meaning is 99, 0 to 19 was expected"},
     {"meaning-twice", spoil_meaning_twice,
      "property \"drive\": it means the length, and so does \"rest\"; one property may"},
     {"meaning-kind", spoil_meaning_kind,
