@@ -146,7 +146,8 @@ static void add_bodies_of(Listing *listing, int32_t body)
 static void add_resistance(TinkerContacts *contacts, int32_t number)
 {
     TinkerPlate *bearer = &contacts->plates[number];
-    const int32_t last = contacts->plate_count + contacts->gap_count + contacts->resistance_count++;
+    const int32_t last = tinker_contacts_first_pin(contacts); /* there are no pins yet */
+    contacts->resistance_count++;
     const double arm = fmax(bearer->gap->tip_radius, bearer->gap->seat_radius), share = bearer->surface.rolling / arm;
     bearer->resistance = last;
     contacts->plates[last] = *bearer;

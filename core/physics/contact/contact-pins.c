@@ -40,8 +40,8 @@ static void add_pin(TinkerContacts *contacts, const TinkerConstraintBatch *part,
 {
     TinkerModel *model = contacts->model;
     const int32_t *ends = part->end_points + part->batch->end_offsets[i];
-    const int32_t last =
-        contacts->plate_count + contacts->gap_count + contacts->resistance_count + contacts->pin_count++;
+    const int32_t last = tinker_contacts_plates(contacts);
+    contacts->pin_count++;
     TinkerPlate *plate = &contacts->plates[last];
     *plate = (TinkerPlate){.block = part->batch->ids[i], .bearer = -1, .gap = &no_gap, .half_width = INFINITY};
     for (int side = 0; side < 2; side++)
@@ -81,7 +81,7 @@ int32_t tinker_model_rubbing_pins(const TinkerModel *model)
 void tinker_contacts_list_pins(TinkerContacts *contacts, int32_t count)
 {
     const TinkerModel *model = contacts->model;
-    const int32_t before = contacts->plate_count + contacts->gap_count + contacts->resistance_count;
+    const int32_t before = tinker_contacts_first_pin(contacts);
     if (count == 0) return;
     contacts->plates = g_renew(TinkerPlate, contacts->plates, before + count);
     for (guint p = 0; p < model->constraints.batches->len; p++) {
@@ -142,7 +142,7 @@ int32_t tinker_contact_pin_body(const TinkerContacts *contacts, int32_t number)
 
 void tinker_contacts_close_pins(TinkerContacts *contacts)
 {
-    const int32_t first = contacts->plate_count + contacts->gap_count + contacts->resistance_count;
+    const int32_t first = tinker_contacts_first_pin(contacts);
     for (int32_t k = first; k < first + contacts->pin_count; k++) {
         const TinkerContact contact = {
             .body = tinker_contact_pin_body(contacts, k), .plate = k, .mode = TINKER_CONTACT_SMOOTH};

@@ -144,9 +144,7 @@ static void measure_thickness(TinkerContacts *contacts)
 static void open_books(TinkerContacts *contacts)
 {
     TinkerModel *model = contacts->model;
-    const int32_t plates =
-        contacts->plate_count + contacts->gap_count + contacts->resistance_count + contacts->pin_count;
-    for (int32_t k = 0; k < plates; k++) {
+    for (int32_t k = 0; k < tinker_contacts_plates(contacts); k++) {
         const TinkerPlate *plate = &contacts->plates[k];
         if (plate->surface.dynamic_friction > 0) model->has_book[TINKER_BOOK_FRICTION] = TRUE;
         if (plate->moving) model->has_book[TINKER_BOOK_SUPPORT_MOTION] = model->more_than_lines = TRUE;

@@ -232,6 +232,18 @@ static inline gboolean tinker_contacts_resists(const TinkerContacts *contacts, c
     return contacts->plates[contact->plate].arm > 0;
 }
 
+/* The plate that the friction of pins begins with. */
+static inline int32_t tinker_contacts_first_pin(const TinkerContacts *contacts)
+{
+    return contacts->plate_count + contacts->gap_count + contacts->resistance_count;
+}
+
+/* Of all plates, whatever they stand for. */
+static inline int32_t tinker_contacts_plates(const TinkerContacts *contacts)
+{
+    return tinker_contacts_first_pin(contacts) + contacts->pin_count;
+}
+
 /* Whether that is a pin's friction. */
 static inline gboolean tinker_contacts_is_pin(const TinkerContacts *contacts, const TinkerContact *contact)
 {

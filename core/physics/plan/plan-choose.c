@@ -410,7 +410,7 @@ static gboolean check_masses_meet(const TinkerContacts *contacts, GError **error
 static gboolean check_turns_freely(const TinkerContacts *contacts, GError **error)
 {
     if (contacts->pin_count > 0) {
-        const int32_t first = contacts->plate_count + contacts->gap_count + contacts->resistance_count;
+        const int32_t first = tinker_contacts_first_pin(contacts);
         g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_METHOD,
                     _("%s has friction, which contacts as impulses do not know (treat contacts as events: leave "
                       "\"contacts\" out of the scene's run; or leave its \"friction\" out)"),
