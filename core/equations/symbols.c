@@ -104,17 +104,25 @@ static TinkerExpression *velocity_of(const TinkerEquationWriter *writer, const c
     return g_hash_table_contains(writer->equations->values, velocity) ? tinker_expression_symbol(velocity) : NULL;
 }
 
+/* What only a table knows. */
+static TinkerExpression *table_symbol(TinkerEquationWriter *writer, const TinkerSampledSymbol *is,
+                                      const TinkerFrame *frame, const char *means)
+{
+    const char *name = tinker_writer_name(writer, is->block, is->stem, is->dots, NULL);
+    tinker_writer_note_unwritten(writer, is->block, name, "its waveform is a table");
+    return tinker_writer_symbol(writer, name, is->block, tinker_frame_column(frame, is->block, is->column + is->dots),
+                                is->dimension, NULL, means);
+}
+
 /* A symbol of a table, or of a derivative of it, with its value now. */
 static TinkerExpression *sampled_symbol(TinkerEquationWriter *writer, const TinkerSampledSymbol *is, const char *means)
 {
-    const char *name = tinker_writer_name(writer, is->block, is->stem, is->dots, NULL);
+    TinkerExpression *symbol = table_symbol(writer, is, writer->frame, means);
     TinkerSampledSymbol *kept = g_memdup2(is, sizeof *is);
     kept->stem = g_strdup(is->stem);
     kept->rate = NULL;
-    g_hash_table_insert(writer->sampled, (void *)g_intern_string(name), kept);
-    tinker_writer_note_unwritten(writer, is->block, name, "its waveform is a table");
-    const double value = tinker_frame_column(writer->frame, is->block, is->column + is->dots);
-    return tinker_writer_symbol(writer, name, is->block, value, is->dimension, NULL, means);
+    g_hash_table_insert(writer->sampled, (void *)g_intern_string(symbol->name), kept);
+    return symbol;
 }
 
 /* The derivative by time of what a table says; NULL: the symbol is of none. */
@@ -232,11 +240,8 @@ static TinkerExpression *waveform(TinkerEquationWriter *writer, const TinkerLawU
     if (kind == TINKER_WAVEFORM_TABLE) {
         const TinkerSampledSymbol sampled = {
             .block = block, .stem = stem, .column = symbol->column, .dimension = symbol->dimension};
-        if (!symbol->at_start) return sampled_symbol(writer, &sampled, type->description);
-        const char *name = tinker_writer_name(writer, block, stem, 0, NULL);
-        const double value = tinker_frame_column(writer->start, block, symbol->column);
-        tinker_writer_note_unwritten(writer, block, name, "its waveform is a table");
-        return tinker_writer_symbol(writer, name, block, value, symbol->dimension, NULL, type->description);
+        return symbol->at_start ? table_symbol(writer, &sampled, writer->start, type->description)
+                                : sampled_symbol(writer, &sampled, type->description);
     }
     TinkerExpression *is;
     if (kind == TINKER_WAVEFORM_EXPRESSION) {
