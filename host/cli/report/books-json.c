@@ -1,12 +1,8 @@
 #include "cli/report/books-json.h"
 
-#include <cjson/cJSON.h>
 #include <stddef.h>
 
-static void add_pair(cJSON *object, const char *key, const double pair[2])
-{
-    cJSON_AddItemToObject(object, key, cJSON_CreateDoubleArray(pair, 2));
-}
+#include "cli/report/scene-json.h"
 
 static const TinkerBookEntry *entry_at(const TinkerBooks *books, guint number)
 {
@@ -24,7 +20,7 @@ static void add_entries(cJSON *object, const char *key, const TinkerBooks *books
         const char *name = tinker_scene_block_name(scene, entry->by);
         const double *value = (const double *)(const void *)((const char *)entry + member);
         if (pair)
-            add_pair(list, name, value);
+            tinker_json_add_pair(list, name, value);
         else
             cJSON_AddNumberToObject(list, name, value[0]);
     }
@@ -45,8 +41,8 @@ static void add_newton(cJSON *root, const TinkerBooks *books, TinkerScene *scene
             sum[axis] += entry_at(books, i)->force[axis];
     cJSON_AddNumberToObject(newton, "time", books->to);
     add_entries(newton, "forces", books, scene, offsetof(TinkerBookEntry, force), TRUE, FALSE);
-    add_pair(newton, "sum", sum);
-    add_pair(newton, "rate_of_momentum", books->rate);
+    tinker_json_add_pair(newton, "sum", sum);
+    tinker_json_add_pair(newton, "rate_of_momentum", books->rate);
     add_balance(newton, &books->newton);
 }
 
@@ -72,27 +68,18 @@ static void add_impacts(cJSON *root, const TinkerBooks *books, TinkerScene *scen
             cJSON_AddStringToObject(object, "by", tinker_scene_block_name(scene, impact->by));
         else
             cJSON_AddNullToObject(object, "by");
-        add_pair(object, "impulse", impact->impulse);
+        tinker_json_add_pair(object, "impulse", impact->impulse);
         cJSON_AddNumberToObject(object, "work", impact->work);
         cJSON_AddItemToArray(list, object);
     }
 }
 
-/* The blocks between the bodies, with their ends. */
+/* The blocks between the bodies. */
 static void add_cancelled(cJSON *root, const TinkerBooks *books, TinkerScene *scene)
 {
     cJSON *list = cJSON_AddArrayToObject(root, "cancelled");
-    for (guint i = 0; i < books->entries->len; i++) {
-        const TinkerBlockId by = entry_at(books, i)->by;
-        if (!entry_at(books, i)->inner) continue;
-        cJSON *object = cJSON_CreateObject();
-        cJSON_AddStringToObject(object, "block", tinker_scene_block_name(scene, by));
-        cJSON *on = cJSON_AddArrayToObject(object, "on");
-        for (int32_t k = 0; k < tinker_scene_end_count(scene, by); k++)
-            cJSON_AddItemToArray(
-                on, cJSON_CreateString(tinker_scene_block_name(scene, tinker_scene_end(scene, by, k).block)));
-        cJSON_AddItemToArray(list, object);
-    }
+    for (guint i = 0; i < books->entries->len; i++)
+        if (entry_at(books, i)->inner) tinker_json_add_cancelled(list, scene, entry_at(books, i)->by);
 }
 
 char *tinker_books_json(const TinkerBooks *books, TinkerScene *scene, const TinkerBlockId *bodies)
@@ -103,16 +90,16 @@ char *tinker_books_json(const TinkerBooks *books, TinkerScene *scene, const Tink
     cJSON_AddNumberToObject(root, "to", books->to);
     cJSON *blocks = cJSON_AddArrayToObject(root, "blocks");
     for (; *bodies >= 0; bodies++)
-        cJSON_AddItemToArray(blocks, cJSON_CreateString(tinker_scene_block_name(scene, *bodies)));
+        tinker_json_add_name(blocks, scene, *bodies);
     add_newton(root, books, scene);
     cJSON *energy = cJSON_AddObjectToObject(root, "energy");
-    add_pair(energy, "kinetic", books->kinetic);
+    tinker_json_add_pair(energy, "kinetic", books->kinetic);
     add_entries(energy, "work", books, scene, offsetof(TinkerBookEntry, work), FALSE, TRUE);
     add_balance(energy, &books->energy);
     add_momentum(root, books, scene);
     cJSON *angular = cJSON_AddObjectToObject(root, "angular");
-    add_pair(angular, "about", books->about);
-    add_pair(angular, "angular_momentum", books->angular);
+    tinker_json_add_pair(angular, "about", books->about);
+    tinker_json_add_pair(angular, "angular_momentum", books->angular);
     add_entries(angular, "impulses", books, scene, offsetof(TinkerBookEntry, angular), FALSE, FALSE);
     add_balance(angular, &books->moment);
     add_impacts(root, books, scene);

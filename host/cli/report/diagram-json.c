@@ -1,26 +1,21 @@
 /* A diagram as JSON. */
-#include <cjson/cJSON.h>
 #include <math.h>
 
 #include "cli/report/diagram-report.h"
-
-static void add_pair(cJSON *object, const char *key, const double pair[2])
-{
-    cJSON_AddItemToObject(object, key, cJSON_CreateDoubleArray(pair, 2));
-}
+#include "cli/report/scene-json.h"
 
 static void add_force(cJSON *list, const TinkerDiagramForce *force, TinkerScene *scene)
 {
     cJSON *object = cJSON_CreateObject();
     cJSON_AddStringToObject(object, "from", tinker_scene_block_name(scene, force->from));
     cJSON_AddStringToObject(object, "kind", tinker_term_kind_name(force->kind));
-    add_pair(object, "point", force->point);
-    add_pair(object, "force", force->force);
+    tinker_json_add_pair(object, "point", force->point);
+    tinker_json_add_pair(object, "force", force->force);
     cJSON_AddNumberToObject(object, "torque", force->torque);
     if (force->second >= 0) {
         cJSON *both = cJSON_AddArrayToObject(object, "partner");
-        cJSON_AddItemToArray(both, cJSON_CreateString(tinker_scene_block_name(scene, force->partner)));
-        cJSON_AddItemToArray(both, cJSON_CreateString(tinker_scene_block_name(scene, force->second)));
+        tinker_json_add_name(both, scene, force->partner);
+        tinker_json_add_name(both, scene, force->second);
     } else if (force->partner >= 0)
         cJSON_AddStringToObject(object, "partner", tinker_scene_block_name(scene, force->partner));
     else
@@ -36,22 +31,14 @@ static void add_blocks(cJSON *root, TinkerScene *scene, const TinkerBlockId *blo
     }
     cJSON *names = cJSON_AddArrayToObject(root, "blocks");
     for (; *blocks >= 0; blocks++)
-        cJSON_AddItemToArray(names, cJSON_CreateString(tinker_scene_block_name(scene, *blocks)));
+        tinker_json_add_name(names, scene, *blocks);
 }
 
 static void add_cancelled(cJSON *root, const TinkerDiagram *diagram, TinkerScene *scene)
 {
     cJSON *list = cJSON_AddArrayToObject(root, "cancelled");
-    for (guint i = 0; i < diagram->cancelled->len; i++) {
-        const TinkerBlockId by = g_array_index(diagram->cancelled, TinkerBlockId, i);
-        cJSON *object = cJSON_CreateObject();
-        cJSON_AddStringToObject(object, "block", tinker_scene_block_name(scene, by));
-        cJSON *on = cJSON_AddArrayToObject(object, "on");
-        for (int32_t k = 0; k < tinker_scene_end_count(scene, by); k++)
-            cJSON_AddItemToArray(
-                on, cJSON_CreateString(tinker_scene_block_name(scene, tinker_scene_end(scene, by, k).block)));
-        cJSON_AddItemToArray(list, object);
-    }
+    for (guint i = 0; i < diagram->cancelled->len; i++)
+        tinker_json_add_cancelled(list, scene, g_array_index(diagram->cancelled, TinkerBlockId, i));
 }
 
 char *tinker_diagram_json(const TinkerDiagram *diagram, TinkerScene *scene, const TinkerBlockId *blocks)
@@ -68,14 +55,14 @@ char *tinker_diagram_json(const TinkerDiagram *diagram, TinkerScene *scene, cons
         cJSON_AddNullToObject(root, "inertia");
     else
         cJSON_AddNumberToObject(root, "inertia", diagram->inertia);
-    add_pair(root, "centre", diagram->centre);
+    tinker_json_add_pair(root, "centre", diagram->centre);
     cJSON *forces = cJSON_AddArrayToObject(root, "forces");
     for (guint i = 0; i < diagram->forces->len; i++)
         add_force(forces, &g_array_index(diagram->forces, TinkerDiagramForce, i), scene);
     if (blocks[1] >= 0) add_cancelled(root, diagram, scene);
     if (diagram->moves) {
         cJSON *kinetic = cJSON_AddObjectToObject(root, "kinetic");
-        add_pair(kinetic, "force", diagram->kinetic);
+        tinker_json_add_pair(kinetic, "force", diagram->kinetic);
         cJSON_AddNumberToObject(kinetic, "torque", diagram->turning);
     }
     char *text = cJSON_Print(root), *copy = g_strdup(text);

@@ -4,6 +4,7 @@
 #include <cjson/cJSON.h>
 #include <math.h>
 
+#include "cli/report/scene-json.h"
 #include "units/units.h"
 
 static cJSON *expression_json(const TinkerExpression *expression)
@@ -162,8 +163,7 @@ static void add_reasons(cJSON *root, const TinkerEquations *equations, const GPt
     for (guint i = 0; i < reasons->len; i++) {
         const TinkerNotWritten *reason = g_ptr_array_index(reasons, i);
         cJSON *object = cJSON_CreateObject(), *blocks = cJSON_AddArrayToObject(object, "blocks");
-        if (reason->block >= 0)
-            cJSON_AddItemToArray(blocks, cJSON_CreateString(tinker_scene_block_name(equations->scene, reason->block)));
+        if (reason->block >= 0) tinker_json_add_name(blocks, equations->scene, reason->block);
         cJSON_AddStringToObject(object, "why", reason->why);
         cJSON_AddItemToArray(why, object);
     }
@@ -217,10 +217,8 @@ static void add_coordinates(cJSON *object, const TinkerMatrixIsland *island)
 static cJSON *island_json(const TinkerEquations *equations, const TinkerMatrixIsland *island)
 {
     const guint n = island->coordinates->len;
-    cJSON *object = cJSON_CreateObject(), *blocks = cJSON_AddArrayToObject(object, "blocks");
-    for (guint i = 0; i < island->blocks->len; i++)
-        cJSON_AddItemToArray(blocks, cJSON_CreateString(tinker_scene_block_name(
-                                         equations->scene, g_array_index(island->blocks, TinkerBlockId, i))));
+    cJSON *object = cJSON_CreateObject();
+    tinker_json_add_names(object, "blocks", equations->scene, island->blocks);
     add_coordinates(object, island);
     add_entries(object, "M", island->mass, n);
     add_entries(object, "C", island->damping, n);
@@ -258,7 +256,7 @@ static cJSON *tree_json(const TinkerEquations *equations, const TinkerAngleTree 
     for (guint i = 0; i < tree->angles->len; i++) {
         const TinkerRodAngle *angle = &g_array_index(tree->angles, TinkerRodAngle, i);
         const char *rod = tinker_scene_block_name(equations->scene, angle->rod);
-        cJSON_AddItemToArray(blocks, cJSON_CreateString(tinker_scene_block_name(equations->scene, angle->body)));
+        tinker_json_add_name(blocks, equations->scene, angle->body);
         cJSON_AddItemToArray(blocks, cJSON_CreateString(rod));
         cJSON *each = cJSON_CreateObject();
         cJSON_AddStringToObject(each, "symbol", angle->angle);

@@ -4,6 +4,7 @@
 #include <cjson/cJSON.h>
 
 #include "cli/report/plan-report.h"
+#include "cli/report/scene-json.h"
 #include "print.h"
 
 static void add_number(cJSON *object, const char *key, double value)
@@ -34,11 +35,8 @@ static void add_stable_steps(cJSON *object, const TinkerIslandPlan *island)
 
 static void add_island(cJSON *array, const TinkerPlanReport *report, const TinkerIslandPlan *island)
 {
-    cJSON *object = cJSON_CreateObject(), *blocks = cJSON_AddArrayToObject(object, "blocks");
-    for (guint i = 0; i < island->blocks->len; i++) {
-        TinkerBlockId block = g_array_index(island->blocks, TinkerBlockId, i);
-        cJSON_AddItemToArray(blocks, cJSON_CreateString(tinker_scene_block_name(report->scene, block)));
-    }
+    cJSON *object = cJSON_CreateObject();
+    tinker_json_add_names(object, "blocks", report->scene, island->blocks);
     cJSON_AddStringToObject(object, "method", island->choice.method->id);
     if (island->choice.step > 0)
         add_number(object, "step", island->choice.step);

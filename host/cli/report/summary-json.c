@@ -3,6 +3,7 @@
 
 #include <cjson/cJSON.h>
 
+#include "cli/report/scene-json.h"
 #include "cli/report/summary.h"
 #include "event-words.h"
 #include "print.h"
@@ -85,11 +86,7 @@ static void add_islands(cJSON *root, const TinkerRunReport *report)
     for (guint i = 0; i < report->run->islands->len; i++) {
         const TinkerIslandSummary *run = g_ptr_array_index(report->run->islands, i);
         cJSON *island = cJSON_CreateObject();
-        cJSON *blocks = cJSON_AddArrayToObject(island, "blocks");
-        for (guint b = 0; b < run->bodies->len; b++) {
-            TinkerBlockId id = g_array_index(run->bodies, TinkerBlockId, b);
-            cJSON_AddItemToArray(blocks, cJSON_CreateString(tinker_scene_block_name(report->scene, id)));
-        }
+        tinker_json_add_names(island, "blocks", report->scene, run->bodies);
         cJSON_AddStringToObject(island, "method", run->method);
         add_step_or_tolerance(island, run->method, run->adaptive, run->step, run->tolerance);
         cJSON_AddItemToArray(islands, island);
