@@ -5,8 +5,10 @@
 #include "numerics/sharing/sharing.h"
 #include "plugin/call/crash.h"
 
-/* In the ring. */
-#define BATCHES 4
+/* In the ring; and how many are left to do when a finder that waited for room goes on: there is something to do all the
+ * while, and the two wake each other once for several batches. */
+#define BATCHES      4
+#define BATCHES_LEFT 1
 /* Of a batch at least: some thousand steps of a small scene, which take about a millisecond. */
 #define LEAST_BYTES 0x40000
 /* Handed over before a thread is worth its start. */
@@ -33,10 +35,12 @@ struct _TinkerRelay {
     Batch batches[BATCHES];
     gboolean beside;
     int alone;       /* batches that the finder did itself */
-    gboolean waits;  /* the finder has handed over a batch, and the next one may not be empty yet */
+    gboolean waits;  /* the ring is full: the finder has no batch to write to */
     GThread *thread; /* NULL: the finder works itself */
     GMutex mutex;
-    GCond handed_over, done; /* of the four below */
+    GCond handed_over, done; /* of those below; a call of the kernel, so only where somebody waits: */
+    gboolean idle;           /* the doer, for a batch */
+    gint64 awaited;          /* the finder, until no more are left to do than this; -1: it does not */
     gint64 filled, emptied;
     gboolean ends;
 };
@@ -49,6 +53,7 @@ TinkerRelay *tinker_relay_new(gsize largest, gboolean beside, TinkerRelayWork wo
     relay->beside = beside;
     relay->size = MAX(LEAST_BYTES, sizeof(Head) + largest + ALIGNMENT);
     relay->batches[0].bytes = g_malloc(relay->size);
+    relay->awaited = -1;
     g_mutex_init(&relay->mutex);
     g_cond_init(&relay->handed_over);
     g_cond_init(&relay->done);
@@ -88,15 +93,18 @@ static gpointer do_batches(gpointer data)
     tinker_crash_watch_thread();
     g_mutex_lock(&relay->mutex);
     for (;;) {
-        while (!relay->ends && relay->emptied == relay->filled)
+        while (!relay->ends && relay->emptied == relay->filled) {
+            relay->idle = TRUE;
             g_cond_wait(&relay->handed_over, &relay->mutex);
+        }
+        relay->idle = FALSE;
         if (relay->ends) break;
         Batch *batch = &relay->batches[relay->emptied % BATCHES];
         g_mutex_unlock(&relay->mutex);
         do_batch(relay, batch);
         g_mutex_lock(&relay->mutex);
         relay->emptied++;
-        g_cond_signal(&relay->done);
+        if (relay->filled - relay->emptied == relay->awaited) g_cond_signal(&relay->done);
     }
     g_mutex_unlock(&relay->mutex);
     return NULL;
@@ -117,14 +125,16 @@ static gboolean start_thread(TinkerRelay *relay)
 /* Until no more than `left` batches wait for being done. To be called with the lock held. */
 static gboolean wait_for_batches(TinkerRelay *relay, gint64 left, TinkerRelayPatience patience, void *data)
 {
-    while (relay->filled - relay->emptied > left) {
+    gboolean goes_on = TRUE;
+    relay->awaited = left;
+    while (goes_on && relay->filled - relay->emptied > left) {
         if (g_cond_wait_until(&relay->done, &relay->mutex, g_get_monotonic_time() + QUESTION)) continue;
         g_mutex_unlock(&relay->mutex);
-        gboolean goes_on = patience == NULL || patience(data);
+        goes_on = patience == NULL || patience(data);
         g_mutex_lock(&relay->mutex);
-        if (!goes_on) return FALSE;
     }
-    return TRUE;
+    relay->awaited = -1;
+    return goes_on;
 }
 
 /* The batch that is being written to. */
@@ -137,8 +147,8 @@ static Batch *current(TinkerRelay *relay)
 static void hand_over(TinkerRelay *relay)
 {
     relay->filled++;
-    relay->waits = TRUE;
-    g_cond_signal(&relay->handed_over);
+    relay->waits = relay->filled - relay->emptied == BATCHES;
+    if (relay->idle) g_cond_signal(&relay->handed_over);
 }
 
 /* The batch is full. What the finder does itself leaves the ring where it is. */
@@ -159,7 +169,7 @@ void *tinker_relay_add(TinkerRelay *relay, gsize bytes, TinkerRelayPatience pati
     if (!relay->waits && current(relay)->used + whole > relay->size) pass_on(relay);
     if (relay->waits) {
         g_mutex_lock(&relay->mutex);
-        relay->waits = !wait_for_batches(relay, BATCHES - 1, patience, data);
+        relay->waits = !wait_for_batches(relay, BATCHES_LEFT, patience, data);
         g_mutex_unlock(&relay->mutex);
         if (relay->waits) return NULL;
     }
