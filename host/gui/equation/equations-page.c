@@ -1,4 +1,5 @@
-/* The rows are made anew with each result of the task; while it plays their values alone change. */
+/* All of the page is of one moment, that of the task's result, which stands at the top: only the list of values below
+ * and books that take long stay where they were while it plays, and tell their own. */
 #include "gui/equation/equations-page.h"
 
 #include <glib/gi18n.h>
@@ -7,7 +8,6 @@
 #include "books-picture.h"
 #include "diagram-picture.h"
 #include "equations/lines.h"
-#include "gui/document/forces-now.h"
 #include "gui/equation/equation-row.h"
 #include "gui/text/sentence.h"
 #include "gui/widget/desktop-theme.h"
@@ -25,8 +25,10 @@ struct _TinkerEquationsPage {
     TinkerPlayer *player;
     TinkerModelTask *task;
     GtkWidget *rows, *rest; /* what bodies do, and what the symbols stand for */
+    char *written;          /* the equations in the rows, as one text; NULL: there are none */
+    gboolean is_behind;     /* the rest is of an earlier result */
     char *why_newton;       /* in place of another form; NULL: they were asked for */
-    GtkWidget *forms, *values, *diagram_heading, *diagram, *books_heading, *books;
+    GtkWidget *forms, *values, *moment, *diagram_heading, *diagram, *books_heading, *books;
 };
 
 G_DEFINE_FINAL_TYPE(TinkerEquationsPage, tinker_equations_page, GTK_TYPE_WIDGET)
@@ -37,6 +39,11 @@ G_DEFINE_FINAL_TYPE(TinkerEquationsPage, tinker_equations_page, GTK_TYPE_WIDGET)
 static guint form_of(TinkerEquationsPage *page)
 {
     return gtk_drop_down_get_selected(GTK_DROP_DOWN(page->forms));
+}
+
+static gboolean is_playing(TinkerEquationsPage *page)
+{
+    return tinker_player_state(page->player) == TINKER_PLAYER_PLAYING;
 }
 
 static gboolean shows_values(TinkerEquationsPage *page)
@@ -117,32 +124,52 @@ static void add_line(TinkerEquationsPage *page, GtkWidget *box, const TinkerEqua
     if (has_comment) add_label(box, shown->comment, "caption");
 }
 
-/* Of the very moment where that has been worked out, as the diagram below is; else, as while it plays, by the record.
- * Borrowed. */
-static const GArray *forces_shown(TinkerEquationsPage *page)
-{
-    const TinkerModelResult *result = tinker_model_task_result(page->task);
-    return tinker_model_task_is_of_now(page->task) && result->state != NULL
-               ? result->state->forces
-               : tinker_forces_now(page->document, page->player);
-}
-
 static void update_values(TinkerEquationsPage *page)
 {
-    const gboolean shown = shows_values(page) && form_of(page) == NEWTON;
-    const GArray *forces = shown ? forces_shown(page) : NULL;
+    const TinkerModelResult *result = tinker_model_task_result(page->task);
+    const gboolean shown = shows_values(page) && form_of(page) == NEWTON && result != NULL && result->state != NULL;
+    const GArray *forces = shown ? result->state->forces : NULL;
     const TinkerUnitSystem units = tinker_scene_head(tinker_document_scene(page->document))->units;
-    const gboolean tell = tinker_player_state(page->player) != TINKER_PLAYER_PLAYING; /* else it would never end */
+    const gboolean tell = !is_playing(page); /* else it would never end */
     GtkWidget *row = gtk_widget_get_first_child(page->rows);
     for (; row != NULL; row = gtk_widget_get_next_sibling(row))
         if (TINKER_IS_EQUATION_ROW(row)) tinker_equation_row_show_values(TINKER_EQUATION_ROW(row), forces, units, tell);
 }
 
+/* All equations, without the values below them. (transfer full) */
+static char *written_equations(const GPtrArray *lines)
+{
+    GString *text = g_string_new(NULL);
+    for (guint i = 0; i < lines->len; i++) {
+        const TinkerEquationLine *line = g_ptr_array_index(lines, i);
+        if (line->heading != NULL || is_value(line)) continue;
+        g_string_append(text, line->left);
+        for (guint k = 0; k < line->terms->len; k++)
+            g_string_append(text, g_array_index(line->terms, TinkerLineTerm, k).text);
+    }
+    return g_string_free(text, FALSE);
+}
+
+static void clear_rows(TinkerEquationsPage *page)
+{
+    tinker_unparent_children(page->rows);
+    tinker_unparent_children(page->rest);
+    g_clear_pointer(&page->written, g_free);
+}
+
+/* Widgets are made anew where the equations have become others; while it plays, for nothing else. */
 static void show_rows(TinkerEquationsPage *page, const TinkerModelResult *result)
 {
     g_autoptr(GPtrArray) shown = lines_of(page, result, TINKER_TYPESET_MATHML);
+    g_autofree char *written = written_equations(shown);
+    page->is_behind = is_playing(page) && page->why_newton == NULL && g_strcmp0(written, page->written) == 0;
+    if (page->is_behind) return;
     g_autoptr(GPtrArray) spoken = lines_of(page, result, TINKER_TYPESET_SPEECH);
     GtkWidget *box = page->rows;
+    clear_rows(page);
+    page->written = g_steal_pointer(&written);
+    if (page->why_newton != NULL) add_label(page->rows, page->why_newton, "dim-label");
+    g_clear_pointer(&page->why_newton, g_free);
     for (guint i = 0; i < shown->len; i++) {
         const TinkerEquationLine *next = i + 1 < shown->len ? g_ptr_array_index(shown, i + 1) : NULL;
         const TinkerEquationLine *line = g_ptr_array_index(shown, i);
@@ -152,7 +179,6 @@ static void show_rows(TinkerEquationsPage *page, const TinkerModelResult *result
     if (shown->len == 0) add_label(page->rows, _("Nothing in this scene can move."), "dim-label");
     if (result->bodies[0] == TINKER_NO_BLOCK && result->equations->bodies->len > MOST_BODIES)
         add_label(page->rows, _("Select bodies to see theirs."), "dim-label");
-    update_values(page);
 }
 
 /* Whether the form that is chosen has an equation. */
@@ -181,21 +207,18 @@ static gboolean leave_form_without_equations(TinkerEquationsPage *page, const Ti
     return TRUE;
 }
 
-static void on_task_changed(TinkerEquationsPage *page)
+static void show_moment(TinkerEquationsPage *page, const TinkerModelResult *result)
 {
-    const TinkerModelResult *result = tinker_model_task_result(page->task);
-    if (leave_form_without_equations(page, result)) return;
-    g_autofree char *why_newton = g_steal_pointer(&page->why_newton);
+    static const TinkerDimension seconds = TINKER_DIMENSION_TIME;
+    const TinkerUnitSystem units = tinker_scene_head(result->scene)->units;
+    g_autofree char *time = tinker_quantity_brief(result->time, seconds, units);
+    g_autofree char *text = g_strconcat("t = ", time, NULL);
+    gtk_label_set_text(GTK_LABEL(page->moment), text);
+}
+
+static void show_pictures(TinkerEquationsPage *page, const TinkerModelResult *result)
+{
     const gboolean has_body = result != NULL && result->equations != NULL && result->bodies[0] != TINKER_NO_BLOCK;
-    tinker_unparent_children(page->rows);
-    tinker_unparent_children(page->rest);
-    if (why_newton != NULL) add_label(page->rows, why_newton, "dim-label");
-    if (result != NULL && result->equations != NULL) {
-        show_rows(page, result);
-    } else if (result != NULL && result->error != NULL) {
-        g_autofree char *text = tinker_sentence_in(tinker_document_scene(page->document), result->error->message);
-        add_label(page->rows, text, "dim-label");
-    }
     gtk_widget_set_visible(page->diagram, has_body);
     gtk_widget_set_visible(page->diagram_heading, has_body);
     gtk_widget_set_visible(page->books, has_body && result->books != NULL);
@@ -206,6 +229,25 @@ static void on_task_changed(TinkerEquationsPage *page)
     gtk_label_set_text(GTK_LABEL(page->books_heading), since);
     gtk_widget_queue_draw(page->diagram);
     gtk_widget_queue_draw(page->books);
+}
+
+static void on_task_changed(TinkerEquationsPage *page)
+{
+    const TinkerModelResult *result = tinker_model_task_result(page->task);
+    if (leave_form_without_equations(page, result)) return;
+    if (result != NULL && result->equations != NULL) {
+        show_rows(page, result);
+        show_moment(page, result);
+        update_values(page);
+    } else {
+        clear_rows(page);
+        gtk_label_set_text(GTK_LABEL(page->moment), "");
+    }
+    if (result != NULL && result->equations == NULL && result->error != NULL) {
+        g_autofree char *text = tinker_sentence_in(tinker_document_scene(page->document), result->error->message);
+        add_label(page->rows, text, "dim-label");
+    }
+    show_pictures(page, result);
 }
 
 /* Copying -------------------------------------------------------------------------------------------------------------
@@ -270,9 +312,10 @@ static void draw_books(GtkDrawingArea *area, cairo_t *cairo, int width, int heig
 /* What is going on ----------------------------------------------------------------------------------------------------
  */
 
-static void on_moved(TinkerEquationsPage *page)
+/* Where it stops at the moment of the last result, no other one comes. */
+static void on_state_changed(TinkerEquationsPage *page)
 {
-    if (gtk_widget_get_mapped(GTK_WIDGET(page)) && shows_values(page)) update_values(page);
+    if (!is_playing(page) && page->is_behind) on_task_changed(page);
 }
 
 static void on_pointed(TinkerEquationsPage *page)
@@ -325,9 +368,12 @@ static void add_tools(TinkerEquationsPage *page)
     gtk_accessible_update_property(GTK_ACCESSIBLE(page->forms), GTK_ACCESSIBLE_PROPERTY_LABEL, _("Form of Equations"),
                                    -1);
     gtk_widget_set_tooltip_text(page->values, _("The force of each term now, beneath it"));
-    gtk_widget_set_hexpand(page->values, TRUE);
+    page->moment = new_label(NULL, "dim-label");
+    gtk_widget_set_hexpand(page->moment, TRUE);
+    gtk_widget_set_tooltip_text(page->moment, _("The moment that this page is of"));
     gtk_box_append(GTK_BOX(tools), page->forms);
     gtk_box_append(GTK_BOX(tools), page->values);
+    gtk_box_append(GTK_BOX(tools), page->moment);
     gtk_box_append(GTK_BOX(tools), copy);
     gtk_widget_set_parent(tools, GTK_WIDGET(page));
     g_signal_connect_swapped(page->forms, "notify::selected", G_CALLBACK(on_task_changed), page);
@@ -363,8 +409,7 @@ GtkWidget *tinker_equations_page_new(TinkerDocument *document, TinkerPlayer *pla
     page->player = g_object_ref(player);
     page->task = tinker_model_task_new(document, player);
     g_signal_connect_object(page->task, "changed", G_CALLBACK(on_task_changed), page, G_CONNECT_SWAPPED);
-    g_signal_connect_object(player, "moved", G_CALLBACK(on_moved), page, G_CONNECT_SWAPPED);
-    g_signal_connect_object(player, "state-changed", G_CALLBACK(on_moved), page, G_CONNECT_SWAPPED);
+    g_signal_connect_object(player, "state-changed", G_CALLBACK(on_state_changed), page, G_CONNECT_SWAPPED);
     g_signal_connect_object(document, "pointed-changed", G_CALLBACK(on_pointed), page, G_CONNECT_SWAPPED);
     return GTK_WIDGET(page);
 }
@@ -375,6 +420,7 @@ static void tinker_equations_page_dispose(GObject *object)
     if (page->rows != NULL) tinker_unparent_children(GTK_WIDGET(object));
     page->rows = NULL;
     g_clear_pointer(&page->why_newton, g_free);
+    g_clear_pointer(&page->written, g_free);
     g_clear_object(&page->task);
     g_clear_object(&page->player);
     g_clear_object(&page->document);

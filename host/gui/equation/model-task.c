@@ -1,4 +1,7 @@
-/* One thread at a time: an edit while it works lets go of it. While time goes on the last result stays. */
+/* One thread at a time: an edit while it works lets go of it. While time goes on one result follows the other, each
+ * some time after the one before, so that they take a small part of a processor only, and each is of the run itself:
+ * what is shown is never of another motion, but at most a little old. Books, which look at the whole run, follow where
+ * they take little. */
 #include "gui/equation/model-task.h"
 
 #include "gui/document/background.h"
@@ -9,7 +12,10 @@
 #include "physics/plan/run-options.h"
 #include "physics/run/accurate-run.h"
 
-#define MOMENT 150 /* ms */
+#define MOMENT      150   /* ms: from an edit or a move to the work */
+#define FOLLOWING   150   /* ms: at least, from one result to the next one's work while time goes on, */
+#define PATIENCE    3     /* and at least so many times as long as the last one took */
+#define BRIEF_BOOKS 50000 /* us: books that take longer do not follow */
 
 struct _TinkerModelTask {
     GObject parent_instance;
@@ -17,7 +23,8 @@ struct _TinkerModelTask {
     TinkerPlayer *player;
     TinkerBackground *background;
     TinkerModelResult *result;
-    guint timer; /* id of the source that will start, or 0 */
+    guint timer;             /* id of the source that will start, or 0 */
+    gint64 took, books_took; /* us: the last result, and the last books */
     gboolean wanted, due;
 };
 
@@ -47,6 +54,7 @@ typedef struct {
     TinkerModelResult *result;
     TinkerModel *model;           /* while it runs */
     TinkerBackground *background; /* likewise */
+    gint64 began, books_took;     /* us: on the clock */
 } Job;
 
 static gboolean is_cancelled(void *data)
@@ -104,8 +112,10 @@ static void work(TinkerBackground *background, void *data)
     options.at = NULL;
     options.at_count = 0;
     if (!is_cancelled(job)) find_forms(result, &options);
-    if (result->bodies[0] != TINKER_NO_BLOCK && time > 0 && !is_cancelled(job))
-        result->books = tinker_books_new(result->scene, &options, result->bodies, 0, time, origin, NULL);
+    if (result->books_behind || result->bodies[0] == TINKER_NO_BLOCK || time <= 0 || is_cancelled(job)) return;
+    const gint64 began = g_get_monotonic_time();
+    result->books = tinker_books_new(result->scene, &options, result->bodies, 0, time, origin, NULL);
+    job->books_took = g_get_monotonic_time() - began;
 }
 
 static void job_free(void *data)
@@ -118,12 +128,35 @@ static void job_free(void *data)
 /* The owner -----------------------------------------------------------------------------------------------------------
  */
 
+static gboolean is_playing(TinkerModelTask *task)
+{
+    return tinker_player_state(task->player) == TINKER_PLAYER_PLAYING;
+}
+
+static gboolean are_same_bodies(const TinkerBlockId *some, const TinkerBlockId *others)
+{
+    while (*some == *others && *some != TINKER_NO_BLOCK)
+        some++, others++;
+    return *some == *others;
+}
+
+/* Books that do not follow stay those of an earlier moment, which they tell. */
+static void keep_books(TinkerModelResult *before, TinkerModelResult *result)
+{
+    if (result->books_behind && before != NULL && before->start == result->start &&
+        before->revision == result->revision && are_same_bodies(before->bodies, result->bodies))
+        result->books = g_steal_pointer(&before->books);
+}
+
 static void on_done(void *data)
 {
     Job *job = data;
     TinkerModelTask *task = job->owner;
     g_clear_pointer(&task->background, tinker_background_let_go);
     task->due = FALSE;
+    task->took = g_get_monotonic_time() - job->began;
+    if (job->result->books != NULL) task->books_took = job->books_took;
+    keep_books(task->result, job->result);
     result_free(task->result);
     task->result = g_steal_pointer(&job->result);
     g_signal_emit(task, changed_signal, 0);
@@ -167,6 +200,8 @@ static gboolean start(gpointer data)
     job->result->time = tinker_player_time(task->player);
     job->result->revision = tinker_history_revision(tinker_document_history(task->document));
     job->result->bodies = selected_bodies(task->document);
+    job->result->books_behind = is_playing(task) && task->books_took > BRIEF_BOOKS;
+    job->began = g_get_monotonic_time();
     task->background = tinker_background_start(&model_work, job);
     return G_SOURCE_REMOVE;
 }
@@ -183,11 +218,21 @@ static void on_changed(TinkerModelTask *task)
     start_later(task);
 }
 
+/* The next result while time goes on. */
+static void follow(TinkerModelTask *task)
+{
+    if (!task->wanted || task->timer != 0 || task->background != NULL) return;
+    task->timer = g_timeout_add(MAX(FOLLOWING, (guint)(PATIENCE * task->took / 1000)), start, task);
+}
+
 static void on_moved(TinkerModelTask *task)
 {
-    const gboolean playing = tinker_player_state(task->player) == TINKER_PLAYER_PLAYING;
-    const gboolean known = task->result != NULL && task->result->time == tinker_player_time(task->player);
-    if (!playing && !known) on_changed(task);
+    const TinkerModelResult *result = task->result;
+    const gboolean known = result != NULL && result->time == tinker_player_time(task->player) && !result->books_behind;
+    if (is_playing(task))
+        follow(task);
+    else if (!known)
+        on_changed(task);
 }
 
 static void on_replaced(TinkerModelTask *task)
@@ -200,12 +245,6 @@ static void on_replaced(TinkerModelTask *task)
 const TinkerModelResult *tinker_model_task_result(TinkerModelTask *task)
 {
     return task->result;
-}
-
-gboolean tinker_model_task_is_of_now(TinkerModelTask *task)
-{
-    return task->result != NULL && task->result->time == tinker_player_time(task->player) &&
-           task->result->revision == tinker_history_revision(tinker_document_history(task->document));
 }
 
 void tinker_model_task_want(TinkerModelTask *task, gboolean wanted)

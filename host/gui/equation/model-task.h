@@ -1,5 +1,5 @@
 /* The equations of a document's scene at the time that the player shows, and the books up to it, worked out in a thread
- * a moment after the last edit or move. No widget.
+ * a moment after the last edit or move, and again and again while it plays. No widget.
  *
  * Nothing is worked out before it is asked for. Signals:
  *   "changed"   there is another result
@@ -26,6 +26,7 @@ typedef struct {
     TinkerAngleForm *angles;
     TinkerBlockId *bodies; /* that were selected, ended by TINKER_NO_BLOCK */
     TinkerBooks *books;    /* of them, from `start` to `time`; NULL where none is selected, or at the start */
+    gboolean books_behind; /* they take long: those are there, if any, that were made before */
 } TinkerModelResult;
 
 /* Takes references. (transfer full) */
@@ -33,9 +34,6 @@ TinkerModelTask *tinker_model_task_new(TinkerDocument *document, TinkerPlayer *p
 
 /* The last result, or NULL. Borrowed until "changed". */
 const TinkerModelResult *tinker_model_task_result(TinkerModelTask *task);
-
-/* Whether the result is of the scene and the moment that are shown now: not while it plays, nor just after an edit. */
-gboolean tinker_model_task_is_of_now(TinkerModelTask *task);
 
 /* Whether somebody looks: else nothing is worked out. */
 void tinker_model_task_want(TinkerModelTask *task, gboolean wanted);

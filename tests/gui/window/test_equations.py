@@ -108,6 +108,43 @@ def test_values_are_of_the_very_moment(display):
             wait(lambda: both() and abs(both()[0] - both()[1]) <= 1e-3 * both()[0], "both to be the same")
 
 
+def moment(app):
+    """What the page says that it is of (s)."""
+    label = app.look("label", re.compile(r"^t = [\d.]+ (s|ms)$"))
+    number, unit = label.name.split()[2:] if label else ("-1", "s")
+    return float(number) * (1e-3 if unit == "ms" else 1)
+
+
+def test_page_follows_while_it_plays(display):
+    """The bob's diagram turns into others without a stop, and the page tells the moment, which is never to come."""
+    with App(display, scene(GRAVITY, support("Wall", 0, 3, solid=False), mass("Bob", 0, 0, mass=2),
+                            spring("Spring", "Wall", "Bob", stiffness=25, rest_length=2), duration=600)) as app:
+        open_page(app)
+        app.click_world(0.2, 0.2)
+        app.click("Equations", role="tab")
+        box = app.box(app.find("image", "Free-body diagram"))
+        inside = box[0], box[1], box[0] + box[2], min(box[1] + box[3], 700)
+        app.activate("play")
+        for _ in range(2):
+            before, picture = moment(app), app.picture().cut(inside)
+            wait(lambda: moment(app) > before, "a later moment")
+            wait(lambda: app.picture().cut(inside) != picture, "another diagram")
+            check(moment(app) <= app.time(), "no moment is shown before it has come")
+
+
+def test_what_touches_on_the_way_has_its_terms(display):
+    """A ball falls onto a floor and stays there: its equation has the normal force from then on, while time goes on."""
+    with App(display, scene(GRAVITY, support("Floor", 0, -2, width=8, restitution=0), mass("Ball", 0, 0, mass=2),
+                            duration=600)) as app:
+        open_page(app)
+        touch = re.compile("^Floor: plus N")
+        check(app.look("image", touch) is None, "nothing touches at the start")
+        app.activate("play")
+        app.find("image", touch)
+        reached = app.time()
+        wait(lambda: app.time() > reached, "time to go on")
+
+
 def test_form_without_equations(display):
     """A rod holds the bob: no matrices, and the page says so with Newton's equations; in angles there is one."""
     rod = {"type": "rod", "name": "Rod", "ends": ["Wall", "Bob"]}
