@@ -21,9 +21,21 @@ static double *numbers_of(const TinkerEquations *equations, const GPtrArray *ent
 
 /* Rest ------------------------------------------------------------------------------------------------------------- */
 
+/* What only the run knows: the symbols of a table. */
+static gboolean is_not_written(const TinkerEquations *equations, const char *symbol)
+{
+    for (guint i = 0; i < equations->not_written->len; i++) {
+        const TinkerNotWritten *missing = g_ptr_array_index(equations->not_written, i);
+        for (guint k = 0; k < missing->symbols->len; k++)
+            if (strcmp(g_ptr_array_index(missing->symbols, k), symbol) == 0) return TRUE;
+    }
+    return FALSE;
+}
+
 /* Functions of time alone, which have names. */
 static gboolean varies(const TinkerEquations *equations, const char *symbol)
 {
+    if (is_not_written(equations, symbol)) return TRUE;
     for (guint i = 0; i < equations->definitions->len; i++) {
         const TinkerEquationDefinition *definition = g_ptr_array_index(equations->definitions, i);
         if (strcmp(definition->name, symbol) == 0) return tinker_expression_uses(definition->is, "t");
@@ -65,16 +77,27 @@ static TinkerExpression *slope_of(const char *symbol, void *data)
     return NULL;
 }
 
+/* A load's part that is linear in a function of time, added to a sum, which is used up. */
+static TinkerExpression *plus_part(TinkerExpression *sum, const TinkerEquations *equations,
+                                   const TinkerExpression *load, const char *symbol)
+{
+    Slope slope = {equations, symbol};
+    TinkerExpression *factor = tinker_expression_derivative(load, slope_of, &slope);
+    return tinker_expression_plus(sum, tinker_expression_times(factor, tinker_expression_symbol(symbol)));
+}
+
 /* What varies of a load: linear in the functions of time. (transfer full) */
 static TinkerExpression *varying_part(const TinkerEquations *equations, const TinkerExpression *load)
 {
     TinkerExpression *sum = tinker_expression_number(0);
     for (guint i = 0; i < equations->definitions->len; i++) {
         const TinkerEquationDefinition *definition = g_ptr_array_index(equations->definitions, i);
-        if (!tinker_expression_uses(definition->is, "t")) continue;
-        Slope slope = {equations, definition->name};
-        TinkerExpression *factor = tinker_expression_derivative(load, slope_of, &slope);
-        sum = tinker_expression_plus(sum, tinker_expression_times(factor, tinker_expression_symbol(definition->name)));
+        if (tinker_expression_uses(definition->is, "t")) sum = plus_part(sum, equations, load, definition->name);
+    }
+    for (guint i = 0; i < equations->not_written->len; i++) {
+        const TinkerNotWritten *missing = g_ptr_array_index(equations->not_written, i);
+        for (guint k = 0; k < missing->symbols->len; k++)
+            sum = plus_part(sum, equations, load, g_ptr_array_index(missing->symbols, k));
     }
     return sum;
 }

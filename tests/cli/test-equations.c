@@ -200,6 +200,24 @@ static void test_table(CliFixture *fixture, gconstpointer data)
     cli_assert_holds(found, tension);
 }
 
+/* What a table moves shakes: at rest is what it would be at u = 0, and the spring's k u stays on the right side. */
+static void test_table_forces(CliFixture *fixture, gconstpointer data)
+{
+    g_autofree char *table = cli_write(fixture, "way.csv", "t,x\n0,0\n1,0.2\n2,0\n");
+    g_autofree char *scene =
+        cli_write(fixture, "scene.json",
+                  "{\"tinker\": 1, \"blocks\": [{\"type\": \"support\", \"name\": \"Wall\", \"solid\": false},"
+                  "{\"type\": \"mass\", \"name\": \"A\", \"position\": [3, 0]},"
+                  "{\"type\": \"spring\", \"ends\": [\"Wall\", \"A\"], \"stiffness\": 8, \"rest_length\": 3},"
+                  "{\"type\": \"support-motion\", \"ends\": [\"Wall\"],"
+                  "\"waveform\": {\"table\": \"way.csv\", \"column\": 1}}]}");
+    g_autoptr(TestProgram) page = cli_run_well(fixture, "equations @scene.json --form matrix --at 1");
+    g_autofree char *found = g_utf8_normalize(page->output, -1, G_NORMALIZE_DEFAULT_COMPOSE);
+    g_autofree char *wanted = g_utf8_normalize("m q̈ + k q = k u\n", -1, G_NORMALIZE_DEFAULT_COMPOSE);
+    cli_assert_holds(found, wanted);
+    cli_assert_holds(found, "q = x − 3 m ");
+}
+
 static void test_formats(CliFixture *fixture, gconstpointer data)
 {
     g_autofree char *scene = cli_write(fixture, "scene.json", HANGING);
@@ -231,6 +249,7 @@ int main(int argc, char **argv)
     cli_test_add("/cli/equations/pattern", test_pattern);
     cli_test_add("/cli/equations/angles", test_angles);
     cli_test_add("/cli/equations/table", test_table);
+    cli_test_add("/cli/equations/table-forces", test_table_forces);
     cli_test_add("/cli/equations/formats", test_formats);
     cli_test_add("/cli/equations/refused", test_refused);
     return g_test_run();
