@@ -147,6 +147,13 @@ static inline void turn_coincident(const TinkerModel *model, int32_t point, doub
     drift[1] -= square * arm[1];
 }
 
+static inline void find_gap(const TinkerModel *model, const int32_t ends[2], double gap[2])
+{
+    const TinkerPoint *a = &model->point[ends[0]], *b = &model->point[ends[1]];
+    gap[0] = b->x - a->x;
+    gap[1] = b->y - a->y;
+}
+
 /* Rows whose ends coincide, with their columns of turns. */
 static TinkerStatus evaluate_coincident(TinkerModel *model, const TinkerConstraintBatch *part)
 {
@@ -155,10 +162,9 @@ static TinkerStatus evaluate_coincident(TinkerModel *model, const TinkerConstrai
     double *columns = all->jacobian + 2 * all->entries, most = all->miss, sum = 0;
     for (int32_t i = 0, row = part->first_row; i < part->batch->count; i++, row += 2) {
         const int32_t *ends = part->end_points + 2 * i;
-        const TinkerPoint *a = &model->point[ends[0]], *b = &model->point[ends[1]];
-        const double gap[2] = {b->x - a->x, b->y - a->y};
-        double drift[2] = {0, 0},
-               *turned[2] = {columns + tinker_row_turns(all, row), columns + tinker_row_turns(all, row + 1)};
+        double gap[2], drift[2] = {0, 0},
+                       *turned[2] = {columns + tinker_row_turns(all, row), columns + tinker_row_turns(all, row + 1)};
+        find_gap(model, ends, gap);
         for (int k = 0; k < 2; k++)
             if (ends[k] >= model->first_attachment && ends[k] < model->first_support)
                 turn_coincident(model, ends[k], k == 0 ? -1 : 1, turned, drift);
@@ -238,5 +244,33 @@ TinkerStatus tinker_constraints_evaluate(TinkerModel *model)
         if (all->turn_count > 0) turn_rows(model, all->first_straight, all->rows);
     }
     if (G_UNLIKELY(all->unilateral != NULL)) tinker_constraints_hide_slack(all);
+    return TINKER_OK;
+}
+
+gboolean tinker_constraints_are_gaps(const TinkerModel *model)
+{
+    const TinkerConstraints *all = &model->constraints;
+    gboolean gaps = all->straight->len == 0 && all->unilateral == NULL;
+    for (guint i = 0; i < all->batches->len; i++)
+        gaps &= g_array_index(all->batches, TinkerConstraintBatch, i).coincident;
+    return gaps;
+}
+
+TinkerStatus tinker_constraints_find_gaps(TinkerModel *model)
+{
+    TinkerConstraints *all = &model->constraints;
+    double most = 0;
+    for (guint p = 0; p < all->batches->len; p++) {
+        const TinkerConstraintBatch *part = &g_array_index(all->batches, TinkerConstraintBatch, p);
+        double *restrict g = all->g + part->first_row, sum = 0;
+        const double *restrict inverse = all->inverse_scales + part->first_row;
+        for (int32_t i = 0; i < part->row_count; i += 2) {
+            find_gap(model, part->end_points + i, g + i);
+            most = MAX(most, MAX(fabs(g[i]), fabs(g[i + 1])) * inverse[i]);
+            sum += 0.0 * (g[i] + g[i + 1]);
+        }
+        if (G_UNLIKELY(sum != 0)) return refuse_rows(model, part, TINKER_OK);
+    }
+    all->miss = most;
     return TINKER_OK;
 }

@@ -9,6 +9,10 @@
 double tinker_constraints_reach(const TinkerModel *model);
 /* Rows at the state in the points: g, Jacobian, drift. */
 TinkerStatus tinker_constraints_evaluate(TinkerModel *model);
+/* Whether all rows are of ends that coincide, of which g can be had alone, from the places in the points: the Jacobian
+ * and what else was evaluated last stay as they are. */
+gboolean tinker_constraints_are_gaps(const TinkerModel *model);
+TinkerStatus tinker_constraints_find_gaps(TinkerModel *model);
 /* Asks a plugin for the rows of a view of its batch, whose ends are at these places and, where the rows depend on
  * angles, turned as part->angles has it: g and drift a row, two numbers of the Jacobian an entry. */
 TinkerStatus tinker_constraints_ask(const TinkerConstraintBatch *part, TinkerBatch *view, const TinkerPoint *ends,

@@ -120,14 +120,11 @@ static void move_positions(TinkerModel *model, double *restrict q)
     model->constraints.work -= work[0] + work[1];
 }
 
-/* Evaluates the rows at a place, and answers whether another Newton step is wanted. FALSE: *status is the answer.
- * `before` is the miss of the step before, at first INFINITY; where that went `roughly`, with a factor of another
- * place, it says nothing of those that follow. */
-static gboolean wants_step(TinkerModel *model, const double *q, const double *v, gboolean roughly, double *before,
-                           TinkerStatus *status)
+/* Answers whether another Newton step is wanted for rows that were evaluated with this status. FALSE: *status is the
+ * answer. `before` is the miss of the step before, at first INFINITY; where that went `roughly`, with a factor of
+ * another place, it says nothing of those that follow. */
+static gboolean wants_step(TinkerModel *model, gboolean roughly, double *before, TinkerStatus *status)
 {
-    tinker_model_set_state(model, q, v);
-    *status = tinker_constraints_evaluate(model);
     if (*status != TINKER_OK || all_met(model)) return FALSE;
     double miss = tinker_constraints_worst_miss(model);
     /* Rounding may keep a row just above its bound; no step can then do better. */
@@ -140,6 +137,12 @@ static gboolean wants_step(TinkerModel *model, const double *q, const double *v,
     return TRUE;
 }
 
+static TinkerStatus evaluate_at(TinkerModel *model, const double *q, const double *v)
+{
+    tinker_model_set_state(model, q, v);
+    return tinker_constraints_evaluate(model);
+}
+
 TinkerStatus tinker_constraints_project_positions(TinkerModel *model, double t, double *q, const double *v,
                                                   gboolean *moved)
 {
@@ -150,7 +153,8 @@ TinkerStatus tinker_constraints_project_positions(TinkerModel *model, double t, 
     TinkerStatus status = tinker_model_set_time(model, t);
     if (status != TINKER_OK) return status;
     for (int step = 0; step < MOST_NEWTON_STEPS; step++) {
-        if (!wants_step(model, q, v, step == 1, &before, &status)) return status;
+        status = evaluate_at(model, q, v);
+        if (!wants_step(model, step == 1, &before, &status)) return status;
         tinker_constraints_newton_step(model, step == 0);
         move_positions(model, q);
         *moved = TRUE;
@@ -197,10 +201,17 @@ TinkerStatus tinker_constraints_project_velocities(TinkerModel *model, double t,
     *moved = FALSE;
     TinkerStatus status = tinker_model_set_time(model, t);
     if (status != TINKER_OK) return status;
-    tinker_model_set_state(model, q, v);
-    status = tinker_constraints_evaluate(model);
+    status = evaluate_at(model, q, v);
     if (status == TINKER_OK) tinker_constraints_correct_velocities(model, v, homogeneous, moved);
     return status;
+}
+
+/* g at a place: where that can be had alone, without the rest. */
+static TinkerStatus find_misses(TinkerModel *model, gboolean gaps, const double *q, const double *v)
+{
+    if (!gaps) return evaluate_at(model, q, v);
+    tinker_model_set_places(model, q);
+    return tinker_constraints_find_gaps(model);
 }
 
 /* Newton steps with the matrix of the old place: the direction J(q_from)^T is what makes the method symmetric, and the
@@ -210,18 +221,18 @@ TinkerStatus tinker_constraints_rattle(TinkerModel *model, double t_from, const 
 {
     TinkerConstraints *all = &model->constraints;
     TinkerStatus status = tinker_model_set_time(model, t_from);
+    if (status == TINKER_OK) status = evaluate_at(model, q_from, v);
     if (status != TINKER_OK) return status;
-    tinker_model_set_state(model, q_from, v);
-    status = tinker_constraints_evaluate(model);
-    if (status != TINKER_OK) return status;
-    memcpy(all->turned, all->jacobian, all->jacobian_size * sizeof(double));
+    const gboolean gaps = tinker_constraints_are_gaps(model);
+    if (!gaps) memcpy(all->turned, all->jacobian, all->jacobian_size * sizeof(double));
     double *displacement = all->displacement;
     double before = INFINITY;
     status = tinker_model_set_time(model, t);
     if (status != TINKER_OK) return status;
     for (int step = 0; step < 2 * MOST_NEWTON_STEPS; step++) {
-        if (!wants_step(model, q, v, FALSE, &before, &status)) return status;
-        memcpy(all->jacobian, all->turned, all->jacobian_size * sizeof(double));
+        status = find_misses(model, gaps, q, v);
+        if (!wants_step(model, FALSE, &before, &status)) return status;
+        if (!gaps) memcpy(all->jacobian, all->turned, all->jacobian_size * sizeof(double));
         tinker_constraints_newton_step(model, FALSE);
         for (int32_t i = 0; i < model->coordinates; i++) {
             q[i] += displacement[i];

@@ -397,7 +397,8 @@ TinkerStatus tinker_model_change_time(TinkerModel *model, double t);
 
 /* Packs q and v into the points. */
 static inline void tinker_model_set_state(TinkerModel *model, const double *q, const double *v);
-/* Velocities alone, of places that were set before. */
+/* Places alone; and velocities alone, of places that were set before. */
+void tinker_model_set_places(TinkerModel *model, const double *q);
 void tinker_model_set_velocities(TinkerModel *model, const double *v);
 /* The other way: point_acceleration of attachments to bodies, from that of the coordinates; and force of the
  * coordinates, which gets what acts on attachments to bodies. */

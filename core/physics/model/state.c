@@ -198,6 +198,15 @@ void tinker_model_share_state(TinkerModel *model, const double *q, const double 
     if (model->turning > 0) tinker_model_set_turns(model, q, v);
 }
 
+void tinker_model_set_places(TinkerModel *model, const double *q)
+{
+    for (int32_t i = 0; i < model->bodies; i++) {
+        model->point[i].x = q[2 * i];
+        model->point[i].y = q[2 * i + 1];
+    }
+    if (model->turning > 0) tinker_model_set_angles(model, q);
+}
+
 void tinker_model_set_velocities(TinkerModel *model, const double *v)
 {
     for (int32_t i = 0; i < model->bodies; i++) {
