@@ -62,10 +62,10 @@ static void random_other(TinkerScene *scene, TinkerHistory *history, GRand *rand
         head.title = title;
         head.run.duration = g_rand_int_range(random, 1, 9);
         g_assert_true(tinker_history_set_head(history, &head, NULL));
-    } else if (what == 4) {
-        tinker_history_raise(history, random_block(scene, random));
     } else {
-        tinker_history_lower(history, random_block(scene, random));
+        const TinkerBlockId some[] = {random_block(scene, random), random_block(scene, random)};
+        const guint count = some[0] == some[1] ? 1 : g_rand_int_range(random, 1, 3);
+        tinker_history_order_blocks(history, some, count, what == 4);
     }
 }
 

@@ -171,13 +171,27 @@ static void test_order(void)
     g_autoptr(TinkerScene) scene = scene_fixture_read(scene_fixture_example);
     g_autoptr(TinkerHistory) history = tinker_history_new(scene);
     TinkerBlockId spring = tinker_scene_find_block(scene, "Spring 0");
-    tinker_history_raise(history, spring);
+    tinker_history_order_blocks(history, &spring, 1, TRUE);
     g_assert_cmpint(tinker_scene_block_at(scene, tinker_scene_block_count(scene) - 1), ==, spring);
-    tinker_history_lower(history, spring);
+    tinker_history_order_blocks(history, &spring, 1, FALSE);
     g_assert_cmpint(tinker_scene_block_at(scene, 0), ==, spring);
     g_assert_cmpstr(tinker_history_can_undo(history), ==, "Lower Spring 0");
     tinker_history_undo(history);
     tinker_history_undo(history);
+    g_assert_cmpint(tinker_scene_block_at(scene, 2), ==, spring);
+
+    /* several keep their order among each other */
+    const TinkerBlockId first = tinker_scene_block_at(scene, 0);
+    const int32_t count = tinker_scene_block_count(scene);
+    tinker_history_order_blocks(history, (const TinkerBlockId[]){spring, first}, 2, TRUE);
+    g_assert_cmpint(tinker_scene_block_at(scene, count - 2), ==, first);
+    g_assert_cmpint(tinker_scene_block_at(scene, count - 1), ==, spring);
+    tinker_history_order_blocks(history, (const TinkerBlockId[]){spring, first}, 2, FALSE);
+    g_assert_cmpint(tinker_scene_block_at(scene, 0), ==, first);
+    g_assert_cmpint(tinker_scene_block_at(scene, 1), ==, spring);
+    tinker_history_undo(history);
+    tinker_history_undo(history);
+    g_assert_cmpint(tinker_scene_block_at(scene, 0), ==, first);
     g_assert_cmpint(tinker_scene_block_at(scene, 2), ==, spring);
 }
 

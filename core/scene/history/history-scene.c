@@ -151,23 +151,29 @@ static void make_order(TinkerScene *scene, int32_t block, gconstpointer from, gc
 /* Of the drawing order: by block id; its place, see history_place(). */
 static const HistoryKind history_order = {HISTORY_OTHER, make_order, NULL};
 
-static void move_to(TinkerHistory *history, const char *verb, TinkerBlockId block, int32_t place)
+static void move_to(TinkerHistory *history, TinkerBlockId block, int32_t place)
 {
     TinkerScene *scene = history_scene(history);
     int32_t before = scene_order_of(scene, block);
     if (before == place) return;
-    gboolean own = history_open_own(history, verb, tinker_scene_block_name(scene, block));
     scene_move_in_order(scene, block, place);
     history_add(history, &history_order, block, history_place(before), history_place(place));
+}
+
+static int by_place(const void *a, const void *b, void *data)
+{
+    const TinkerScene *scene = data;
+    return scene_order_of(scene, *(const TinkerBlockId *)a) - scene_order_of(scene, *(const TinkerBlockId *)b);
+}
+
+void tinker_history_order_blocks(TinkerHistory *history, const TinkerBlockId *blocks, guint count, gboolean in_front)
+{
+    TinkerScene *scene = history_scene(history);
+    const int32_t last = tinker_scene_block_count(scene) - 1;
+    g_autofree TinkerBlockId *ordered = g_memdup2(blocks, count * sizeof *blocks);
+    g_qsort_with_data(ordered, (int)count, sizeof *ordered, by_place, scene);
+    const gboolean own = history_open_several(history, in_front ? "Raise" : "Lower", blocks, count);
+    for (guint i = 0; i < count; i++)
+        move_to(history, in_front ? ordered[i] : ordered[count - 1 - i], in_front ? last : 0);
     if (own) tinker_history_end(history);
-}
-
-void tinker_history_raise(TinkerHistory *history, TinkerBlockId block)
-{
-    move_to(history, "Raise", block, tinker_scene_block_count(history_scene(history)) - 1);
-}
-
-void tinker_history_lower(TinkerHistory *history, TinkerBlockId block)
-{
-    move_to(history, "Lower", block, 0);
 }

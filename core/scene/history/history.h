@@ -59,9 +59,9 @@ gboolean tinker_history_change_graph(TinkerHistory *history, int32_t index, cons
 gboolean tinker_history_set_instrument(TinkerHistory *history, int32_t index, const TinkerSceneInstrument *instrument,
                                        GError **error);
 
-/* Moves a block to the end of the drawing order, on top of all others, or to its beginning. */
-void tinker_history_raise(TinkerHistory *history, TinkerBlockId block);
-void tinker_history_lower(TinkerHistory *history, TinkerBlockId block);
+/* Moves blocks, in the order that they have, to the end of the drawing order, on top of all others, or to its
+ * beginning. No block is named twice. */
+void tinker_history_order_blocks(TinkerHistory *history, const TinkerBlockId *blocks, guint count, gboolean in_front);
 
 /* Titles of what undo and redo would do; NULL where there is nothing. */
 const char *tinker_history_can_undo(const TinkerHistory *history);

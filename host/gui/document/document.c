@@ -326,6 +326,23 @@ void tinker_document_remove_selected(TinkerDocument *document)
     tinker_document_end(document);
 }
 
+void tinker_document_order_selected(TinkerDocument *document, gboolean in_front)
+{
+    tinker_document_interrupt(document);
+    const guint count = document->selection->len;
+    if (count == 0) return;
+    TinkerBlockId first = g_array_index(document->selection, TinkerBlockId, 0);
+    const char *name = tinker_scene_block_name(document->scene, first);
+    g_autofree char *title =
+        count > 1  ? g_strdup_printf(in_front ? _("Bring %u Blocks to Front") : _("Send %u Blocks to Back"), count)
+        : in_front ? g_strdup_printf(_("Bring %s to Front"), name)
+                   : g_strdup_printf(_("Send %s to Back"), name);
+    tinker_document_begin(document, title, NULL);
+    tinker_history_order_blocks(document->history, (const TinkerBlockId *)(gpointer)document->selection->data, count,
+                                in_front);
+    tinker_document_end(document);
+}
+
 /* Whether a block lies on one that is selected, too, and moves with that. */
 static gboolean is_taken_along(TinkerDocument *document, TinkerBlockId block, GHashTable *selected)
 {

@@ -95,6 +95,9 @@ void tinker_document_place(TinkerDocument *document, TinkerBlockId block, const 
 /* Removes what is selected. */
 void tinker_document_remove_selected(TinkerDocument *document);
 
+/* Draws what is selected after all other blocks, or before them. */
+void tinker_document_order_selected(TinkerDocument *document, gboolean in_front);
+
 /* Moves what is selected, bodies and detached ends, by (dx, dy) m: inside a step, and as one. `merge` as in history.h.
  */
 void tinker_document_shift_selected(TinkerDocument *document, double dx, double dy);

@@ -85,6 +85,16 @@ static void delete_selected(TinkerWindow *window)
     tinker_document_remove_selected(window->document);
 }
 
+static void bring_to_front(TinkerWindow *window)
+{
+    tinker_document_order_selected(window->document, TRUE);
+}
+
+static void send_to_back(TinkerWindow *window)
+{
+    tinker_document_order_selected(window->document, FALSE);
+}
+
 /* To the blocks there are, which the arrow keys go through; Return places one. */
 static void place(TinkerWindow *window)
 {
@@ -249,6 +259,8 @@ static const struct {
     {"paste", paste, {"<Control>v"}, TRUE},
     {"duplicate", duplicate, {"<Control>d"}, FALSE},
     {"delete", delete_selected, {"Delete", "BackSpace"}, TRUE},
+    {"bring-to-front", bring_to_front, {"<Shift>Page_Up"}, TRUE},
+    {"send-to-back", send_to_back, {"<Shift>Page_Down"}, TRUE},
     {"place", place, {"Insert"}, FALSE},
     {"select-all", select_all, {"<Control>a"}, TRUE},
     {"new-graph", window_new_graph, {"<Control>g"}, FALSE},
@@ -332,7 +344,7 @@ void window_update_actions(TinkerWindow *window)
     enable(window, "undo", tinker_history_can_undo(history) != NULL);
     enable(window, "redo", tinker_history_can_redo(history) != NULL);
     enable(window, "export-film", window_can_export_film(window));
-    static const char *const of_selection[] = {"cut", "copy", "duplicate", "delete"};
+    static const char *const of_selection[] = {"cut", "copy", "duplicate", "delete", "bring-to-front", "send-to-back"};
     for (gsize i = 0; i < G_N_ELEMENTS(of_selection); i++)
         enable(window, of_selection[i], selected > 0);
 }

@@ -242,6 +242,23 @@ def test_duplicate(display):
         check_equal(len(positions(app)), 3, "number of blocks after redo")
 
 
+def test_order_of_drawing(display):
+    """Two masses lie on each other; a click takes the one in front."""
+    with App(display, scene(mass("A", 0, 0), mass("B", 0.2, 0))) as app:
+        app.click_world(0.1, 0.1)
+        app.press("shift+Next")
+        check_equal(list(app.blocks()), ["B", "A"], "order after sending B to the back")
+        app.press("Escape")
+        app.click_world(0.1, 0.1)
+        app.press("Delete")
+        check_equal(list(app.blocks()), ["B"], "blocks after deleting what is in front")
+        app.press("ctrl+z", "ctrl+z")
+        check_equal(list(app.blocks()), ["A", "B"], "order after undo")
+        app.click_world(-0.35, 0)
+        app.press("shift+Prior")
+        check_equal(list(app.blocks()), ["B", "A"], "order after bringing A to the front")
+
+
 def test_copy_and_paste_keep_connections(display):
     with App(display, scene(support("Wall", 0, 3), mass("A", 0, 0), spring("S", "Wall", "A", stiffness=30))) as app:
         app.click_world(1, 3)
