@@ -49,16 +49,6 @@ static gboolean set_vectors(TinkerHistory *history, TinkerScene *scene, const Ti
     return TRUE;
 }
 
-/* The history copies the head's texts, so that these need not be the scene's. */
-static gboolean set_run_method(TinkerHistory *history, TinkerScene *scene, const TinkerAdvice *advice, GError **error)
-{
-    char automatic[] = "auto", events[] = "events";
-    TinkerSceneHead head = *tinker_scene_head(scene);
-    head.run.method = automatic;
-    if (advice->contacts_apart) head.run.contacts = events;
-    return tinker_history_set_head(history, &head, error);
-}
-
 static gboolean do_repair(TinkerHistory *history, TinkerScene *scene, const TinkerAdvice *advice, GError **error)
 {
     switch (advice->kind) {
@@ -74,8 +64,8 @@ static gboolean do_repair(TinkerHistory *history, TinkerScene *scene, const Tink
         return set_vectors(history, scene, advice, TINKER_MEANING_VELOCITY, FALSE, error);
     case TINKER_ADVICE_OVERLAP:
         return set_vectors(history, scene, advice, TINKER_MEANING_POSITION, TRUE, error);
-    default:
-        return set_run_method(history, scene, advice, error);
+    default: /* without repair */
+        return FALSE;
     }
 }
 

@@ -1,4 +1,4 @@
-/* Advice: what is wrong or doubtful with a start or with the run settings, where it is, and the nearest repair. */
+/* Advice: what is wrong or doubtful with a start, where it is, and the nearest repair. */
 #ifndef TINKER_CORE_ADVICE_H
 #define TINKER_CORE_ADVICE_H
 
@@ -13,7 +13,6 @@ typedef enum {
     TINKER_ADVICE_MODEL,        /* whatever else keeps the scene from running; no repair */
     TINKER_ADVICE_OVERLAP,      /* a body that starts in a plate; repair: out of it */
     TINKER_ADVICE_MEETING,      /* bodies whose start velocities take them through each other; no repair */
-    TINKER_ADVICE_METHOD,       /* a method or step that does not suit; repair: chosen automatically */
 } TinkerAdviceKind;
 
 /* A vector that belongs to a block: a velocity (m/s) or a shift (m). */
@@ -34,17 +33,11 @@ typedef struct {
     TinkerBlockId target;    /* to connect it to */
     double length;           /* m */
     GArray *vectors;         /* of TinkerAdviceVector; NULL: none */
-    gboolean contacts_apart; /* contacts are to be events again */
 } TinkerAdvice;
 
 /* All that can be told without planning a run, worst first, at the price of compiling the scene once; of TinkerAdvice
  * *. (transfer full) */
 GPtrArray *tinker_advice_new(TinkerScene *scene);
-
-/* What the plan of a run has to say about the scene's method and step. Empty where the scene does not compile, of which
- * tinker_advice_new tells. Costs what tinker_plan_choose does for every island: for a pause in editing. (transfer full)
- */
-GPtrArray *tinker_advice_plan_new(TinkerScene *scene);
 
 /* Does what the button says, as one undo step. Errors: TINKER_SCENE_ERROR, where the scene has changed since; then
  * nothing has changed. */

@@ -186,10 +186,6 @@ void tinker_program_select(TinkerProgramState *state, int root);
 TinkerJet tinker_program_evaluate(const TinkerProgramState *state, double t);
 TinkerRangeJet tinker_program_enclose(const TinkerProgramState *state, double low, double high);
 
-/* The degree that the program has as a polynomial of t within a piece, at most; more than any number of use where it is
- * none, or none that is seen to be one. */
-int tinker_program_degree(const TinkerProgram *program);
-
 /* ulp of t: places as near as this are one, to the searches for breaks and for poles. */
 #define TINKER_MERGED 4
 

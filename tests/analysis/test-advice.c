@@ -229,75 +229,6 @@ static void test_meeting(void)
     assert_only(f, TINKER_ADVICE_MEETING, FALSE, "Mass 0", "Mass 0 and Mass 1 meet at 0.8 s", NULL);
 }
 
-/* Sets the method that a scene asks for, from the start. */
-static void ask_for(StartFixture *f, const char *method, const char *contacts, double step)
-{
-    TinkerRunSettings *run = &tinker_scene_head(f->scene)->run;
-    g_free(run->method);
-    g_free(run->contacts);
-    run->method = g_strdup(method);
-    run->contacts = g_strdup(contacts);
-    run->step = step;
-    g_free(f->text);
-    f->text = tinker_scene_to_text(f->scene, TINKER_WRITE_SI);
-}
-
-/* Repairs the first piece of advice on the plan; then there is none. Messages are for both programs: no options in
- * them. */
-static void repair_plan(StartFixture *f)
-{
-    g_autoptr(GError) error = NULL;
-    g_autoptr(GPtrArray) all = tinker_advice_plan_new(f->scene);
-    const TinkerAdvice *advice = g_ptr_array_index(all, 0);
-    g_test_message("%s [%s]", advice->message, advice->repair);
-    g_assert_null(strstr(advice->message, "--"));
-    g_assert_true(tinker_advice_repair(f->history, f->scene, advice, &error));
-    g_assert_no_error(error);
-    g_assert_cmpstr(tinker_scene_head(f->scene)->run.method, ==, "auto");
-    g_assert_cmpstr(tinker_scene_head(f->scene)->run.contacts, ==, "events");
-    start_fixture_assert_one_step(f);
-    g_autoptr(GPtrArray) left = tinker_advice_plan_new(f->scene);
-    g_assert_cmpuint(left->len, ==, 0);
-}
-
-/* omega = 100 rad/s: the explicit midpoint of velocities (verlet) is stable up to 2 / omega = 0.02 s. */
-static void test_method(void)
-{
-    static const struct {
-        double step;
-        guint found;
-    } rows[] = {{0.03, 1}, {0.015, 1}, {0.0005, 0}}; /* unstable, stable but under-resolved, good */
-    for (gsize i = 0; i < G_N_ELEMENTS(rows); i++) {
-        g_autoptr(StartFixture) f = start_fixture_new(
-            "{'type': 'support'}, {'type': 'mass', 'position': [2, 0]},"
-            "{'type': 'spring', 'ends': ['Support 0', 'Mass 0'], 'stiffness': 10000, 'rest_length': 1}");
-        ask_for(f, "verlet", "events", rows[i].step);
-        g_autoptr(GPtrArray) all = tinker_advice_plan_new(f->scene);
-        g_assert_cmpuint(all->len, ==, rows[i].found);
-        if (all->len == 0) continue;
-        const TinkerAdvice *advice = only(all, TINKER_ADVICE_METHOD);
-        g_assert_cmpint(g_array_index(advice->blocks, TinkerBlockId, 0), ==, start_fixture_block(f, "Mass 0"));
-        g_assert_nonnull(strstr(advice->message, "a step of 0.001 s"));
-        repair_plan(f);
-    }
-}
-
-/* Two points of 1 kg on a spring of 1e6 N/m: omega = 1414 rad/s, at which a velocity solve a step is stable up to 2 /
- * omega. */
-static void test_method_of_contacts(void)
-{
-    g_autoptr(StartFixture) f =
-        start_fixture_new("{'type': 'gravity'}, {'type': 'support', 'width': 4, 'height': 0.2},"
-                          "{'type': 'mass', 'position': [0, 1]}, {'type': 'mass', 'position': [0.5, 1.6]},"
-                          "{'type': 'spring', 'ends': ['Mass 0', 'Mass 1'], 'stiffness': 1e6, 'rest_length': 0.7}");
-    ask_for(f, "auto", "impulse", 0.01);
-    g_autoptr(GPtrArray) all = tinker_advice_plan_new(f->scene);
-    const TinkerAdvice *advice = only(all, TINKER_ADVICE_METHOD);
-    g_assert_true(advice->contacts_apart);
-    g_assert_nonnull(strstr(advice->message, "contacts as events"));
-    repair_plan(f);
-}
-
 /* Advice outlives the scene that it was given for. */
 static void test_stale(void)
 {
@@ -340,9 +271,7 @@ static void test_bundled_scenes(void)
         g_autoptr(TinkerScene) scene = tinker_scene_read_file(scene_fixture_catalogue(), path, NULL, &error);
         g_assert_no_error(error);
         g_autoptr(GPtrArray) all = tinker_advice_new(scene);
-        g_autoptr(GPtrArray) plan = tinker_advice_plan_new(scene);
         g_test_message("%s", name);
-        g_ptr_array_extend_and_steal(all, g_steal_pointer(&plan));
         for (guint i = 0; i < all->len; i++) {
             const TinkerAdvice *advice = g_ptr_array_index(all, i);
             g_test_message("%s", advice->message);
@@ -407,8 +336,6 @@ static void add_tests(void)
     g_test_add_func("/advice/overlap", test_overlap);
     g_test_add_func("/advice/many-overlaps", test_many_overlaps);
     g_test_add_func("/advice/meeting", test_meeting);
-    g_test_add_func("/advice/method", test_method);
-    g_test_add_func("/advice/method-of-contacts", test_method_of_contacts);
     g_test_add_func("/advice/stale", test_stale);
     g_test_add_func("/advice/many", test_many);
     g_test_add_func("/advice/bundled-scenes", test_bundled_scenes);

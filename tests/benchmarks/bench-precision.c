@@ -161,68 +161,6 @@ static void clear_entry(Entry *entry)
     g_free(entry->places);
 }
 
-/* The samples of an exact method without a run around them: state after state of the one coordinate. */
-typedef struct {
-    BenchmarkSubject subject;
-    const TinkerSystem *system;
-    double q, v;
-    double x[OSCILLATOR_SAMPLES + 1], u[OSCILLATOR_SAMPLES + 1];
-} Samples;
-
-static const double sample_interval = 100.0 / OSCILLATOR_SAMPLES;
-
-static double time_samples(gpointer data)
-{
-    Samples *samples = data;
-    double started = benchmark_processor_time();
-    tinker_exact_samples(samples->system, 0.0, &samples->q, &samples->v, sample_interval, OSCILLATOR_SAMPLES + 1,
-                         samples->x, samples->u);
-    return benchmark_processor_time() - started;
-}
-
-/* The coordinate runs along the line, which may point either way. */
-static double samples_error(const Samples *samples, const PeerProblem *problem, double rest)
-{
-    double worst = 0;
-    for (int i = 0; i <= OSCILLATOR_SAMPLES; i++) {
-        double displacement = (samples->x[i] - rest) / (samples->x[0] - rest);
-        worst = fmax(worst, problem->error(i * sample_interval, &displacement));
-    }
-    return worst;
-}
-
-static void free_samples(gpointer data)
-{
-    Samples *samples = data;
-    benchmark_subject_clear(&samples->subject);
-    g_free(samples);
-}
-
-static void enter_samples(const Entry *entry)
-{
-    Samples *samples = g_new0(Samples, 1);
-    samples->subject = benchmark_subject(entry->text, "exact", 0.01);
-    const TinkerIslandRun *island = g_ptr_array_index(samples->subject.simulation->all->runs, 0);
-    const TinkerLinearSystem *linear = island->system.system.linear;
-    samples->system = &island->system.system;
-    samples->q = island->state.q[0];
-    samples->v = island->state.v[0];
-    time_samples(samples);
-    double anchor = linear->anchors[0], length = linear->edges[0].length;
-    Contestant contestant = {
-        .solver = g_strdup("exact, samples alone"),
-        .side = CONTEST_OURS_EXACT,
-        .setting = "samples",
-        .value = OSCILLATOR_SAMPLES,
-        .error = samples_error(samples, entry->problem, samples->q > anchor ? anchor + length : anchor - length),
-        .preparing = NAN,
-        .once = time_samples,
-        .data = samples,
-        .free_data = free_samples,
-    };
-    contest_add(entry->contest, &contestant);
-}
-
 /* Theirs ----------------------------------------------------------------------------------------------------------- */
 
 typedef struct {
@@ -338,7 +276,6 @@ static void race_oscillator(BenchmarkReport *report)
     entry.places[0] = 2.0;
     enter(&entry, "exact", "samples", 10);
     enter(&entry, "exact", "samples", OSCILLATOR_SAMPLES);
-    enter_samples(&entry);
     enter_all(&entry, "dop853", "tolerance", 1e-1, 1e-13, 0.1);
     enter_all(&entry, "dopri5", "tolerance", 1e-1, 1e-11, 0.1);
     enter_all(&entry, "verlet6", "step", 0.08, 0.0025, 0.5);

@@ -102,17 +102,6 @@ static void test_out_of_reach(void)
     assert_near(test.q[1], -6.0 + 0.8 * sin(10.0), 1e-6);
 }
 
-/* Samples end before the first passing. */
-static void test_samples_until_passing(void)
-{
-    double x[100], u[100];
-    LinearCase test;
-    case_init(&test, 1);
-    case_edge(&test, -1, 0, 1.0, 0.0)->length = 0.5;
-    test.q[0] = 2.0;
-    g_assert_cmpint(tinker_exact_samples(&test.system, 0.0, test.q, test.v, 0.1, 100, x, u), ==, 20);
-}
-
 int main(int argc, char **argv)
 {
     g_test_init(&argc, &argv, NULL);
@@ -121,6 +110,5 @@ int main(int argc, char **argv)
     g_test_add_func("/numerics/exact-passing/constant-tension", test_constant_tension);
     g_test_add_func("/numerics/exact-passing/parts", test_parts);
     g_test_add_func("/numerics/exact-passing/out-of-reach", test_out_of_reach);
-    g_test_add_func("/numerics/exact-passing/samples", test_samples_until_passing);
     return g_test_run();
 }

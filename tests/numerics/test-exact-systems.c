@@ -337,46 +337,7 @@ static void test_inside_a_step(void)
     }
 }
 
-/* --- bulk, memory --- */
-
-static void test_samples(void)
-{
-    gint64 count = 6000;
-    g_autofree double *x = g_new(double, count), *u = g_new(double, count);
-    LinearCase test;
-    case_init(&test, 1);
-    case_edge(&test, -1, 0, 25.0, 0.4);
-    test.q[0] = 1.0;
-    double dt = 100.0 / (double)count;
-    g_assert_cmpint(tinker_exact_samples(&test.system, 0.0, test.q, test.v, dt, count, x, u), ==, count);
-    long double g = (long double)0.4 / 2.0L, w = sqrtl(25.0L - g * g);
-    for (gint64 k = 0; k < count; k++) {
-        long double t = k * (long double)dt;
-        assert_near(x[k], (double)(expl(-g * t) * (cosl(w * t) + g / w * sinl(w * t))), 1e-13);
-        assert_near(u[k], (double)(-25.0L / w * expl(-g * t) * sinl(w * t)), 5e-13);
-    }
-}
-
-static void test_samples_like_steps(void)
-{
-    static const Recipe recipes[] = {{5, TRUE, TRUE, TRUE, FALSE, 20.0},
-                                     {5, TRUE, FALSE, TRUE, FALSE, 20.0},
-                                     {4, FALSE, TRUE, TRUE, FALSE, 20.0},
-                                     {4, TRUE, TRUE, TRUE, TRUE, 20.0}};
-    enum { COUNT = 301 };
-    for (gsize r = 0; r < G_N_ELEMENTS(recipes); r++) {
-        int32_t n = recipes[r].size;
-        g_autofree double *x = g_new(double, COUNT *n), *u = g_new(double, COUNT *n);
-        LinearCase test;
-        cook(&test, &recipes[r], 3);
-        g_assert_cmpint(tinker_exact_samples(&test.system, 0.0, test.q, test.v, 0.01, COUNT, x, u), ==, COUNT);
-        case_run(&test, 3.0, 300);
-        for (int32_t i = 0; i < n; i++) {
-            assert_near(x[300 * n + i], test.q[i], 1e-12);
-            assert_near(u[300 * n + i], test.v[i], 1e-12);
-        }
-    }
-}
+/* --- memory --- */
 
 static void test_no_allotment(void)
 {
@@ -434,8 +395,6 @@ int main(int argc, char **argv)
     g_test_add_func("/numerics/exact-systems/coupled-like-apart", test_coupled_like_apart);
     g_test_add_func("/numerics/exact-systems/damper-alone", test_damper_alone);
     g_test_add_func("/numerics/exact-systems/inside-a-step", test_inside_a_step);
-    g_test_add_func("/numerics/exact-systems/samples", test_samples);
-    g_test_add_func("/numerics/exact-systems/samples-like-steps", test_samples_like_steps);
     g_test_add_func("/numerics/exact-systems/no-allotment", test_no_allotment);
     g_test_add_func("/numerics/exact-systems/cost", test_cost);
     return g_test_run();

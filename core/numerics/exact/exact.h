@@ -30,10 +30,4 @@ double tinker_exact_interval(const TinkerLinearSystem *system, double drive, dou
  * bound on the system's rates, for what moves at that rate; at least a few roundings. */
 double tinker_exact_claimed_error(const TinkerLinearSystem *system, double T);
 
-/* The state at t0 + k dt for k = 0 ... count - 1, coordinate after coordinate for each time: x and u are count x
- * size. Starts from q, v at t0. The signals must not break in between. Stops where an edge reaches d = 0; answers
- * how many samples were written, 0 where the system does not suit. Books are not kept. */
-gint64 tinker_exact_samples(const TinkerSystem *system, double t0, const double *q, const double *v, double dt,
-                            gint64 count, double *x, double *u);
-
 #endif
