@@ -29,10 +29,10 @@ typedef struct {
     GArray *blocks;      /* of TinkerBlockId: to select and to mark; the first is the one that it is about */
     char *repair;        /* label of the button; NULL: nothing that the program could do by itself */
     /* what the repair needs */
-    int32_t end;             /* of the first block */
-    TinkerBlockId target;    /* to connect it to */
-    double length;           /* m */
-    GArray *vectors;         /* of TinkerAdviceVector; NULL: none */
+    int32_t end;          /* of the first block */
+    TinkerBlockId target; /* to connect it to */
+    double length;        /* m */
+    GArray *vectors;      /* of TinkerAdviceVector; NULL: none */
 } TinkerAdvice;
 
 /* All that can be told without planning a run, worst first, at the price of compiling the scene once; of TinkerAdvice

@@ -133,13 +133,15 @@ static void pose_at(const TinkerMotionTrail *trail, int body, double time, doubl
         pose[k] = from[k] + share * (to[k] - from[k]);
 }
 
-gsize tinker_motion_trail_marks(const TinkerMotionTrail *trail, double until)
+/* How many marks there are up to a time, the start among them. */
+static gsize marks_until(const TinkerMotionTrail *trail, double until)
 {
     const double last = fmin(until, tinker_motion_trail_reached(trail));
     return last < 0 ? 0 : (gsize)floor(last / trail->every + SLIP) + 1;
 }
 
-void tinker_motion_trail_mark(const TinkerMotionTrail *trail, gsize mark, int body, double pose[3])
+/* A body's place at a mark, straight between the times noted: x, y, orientation. */
+static void pose_at_mark(const TinkerMotionTrail *trail, gsize mark, int body, double pose[3])
 {
     pose_at(trail, body, (double)mark * trail->every, pose);
 }
@@ -170,10 +172,10 @@ static void draw_marks(const TinkerMotionTrail *trail, cairo_t *cairo, const Tin
                        int body, double until)
 {
     const double *colour = theme->colours[TINKER_COLOUR_MOTION], *ground = theme->background;
-    const gsize marks = tinker_motion_trail_marks(trail, until);
+    const gsize marks = marks_until(trail, until);
     for (gsize mark = 0; mark < marks; mark++) {
         double pose[3], x, y;
-        tinker_motion_trail_mark(trail, mark, body, pose);
+        pose_at_mark(trail, mark, body, pose);
         tinker_view_to_canvas(view, pose[0], pose[1], &x, &y);
         if (!isfinite(x) || !isfinite(y)) continue;
         cairo_new_path(cairo);
@@ -211,7 +213,7 @@ static void place_at_mark(const TinkerMotionTrail *trail, gsize mark, TinkerFram
     const TinkerBlockId *bodies = tinker_motion_trail_bodies(trail, &count);
     for (int i = 0; i < count; i++) {
         double pose[3];
-        tinker_motion_trail_mark(trail, mark, i, pose);
+        pose_at_mark(trail, mark, i, pose);
         tinker_frame_place(frame, bodies[i], pose[0], pose[1], pose[2]);
     }
 }
@@ -219,7 +221,7 @@ static void place_at_mark(const TinkerMotionTrail *trail, gsize mark, TinkerFram
 void tinker_motion_trail_draw_ghosts(const TinkerMotionTrail *trail, cairo_t *cairo, const TinkerView *view,
                                      const TinkerTheme *theme, TinkerFrame *frame)
 {
-    const gsize marks = tinker_motion_trail_marks(trail, INFINITY);
+    const gsize marks = marks_until(trail, INFINITY);
     int count;
     TinkerTheme clear = *theme;
     TinkerPaintOptions options = tinker_paint_options_default();
@@ -238,7 +240,7 @@ void tinker_motion_trail_draw_ghosts(const TinkerMotionTrail *trail, cairo_t *ca
 
 void tinker_motion_trail_widen(const TinkerMotionTrail *trail, TinkerFrame *frame, double box[4])
 {
-    const gsize marks = tinker_motion_trail_marks(trail, INFINITY);
+    const gsize marks = marks_until(trail, INFINITY);
     for (gsize mark = 0; mark < marks; mark++) {
         double other[4];
         place_at_mark(trail, mark, frame);

@@ -29,11 +29,6 @@ void tinker_motion_trail_note_frame(TinkerMotionTrail *trail, const TinkerFrame 
 /* Forgets all. */
 void tinker_motion_trail_clear(TinkerMotionTrail *trail);
 
-/* How many marks there are up to a time, the start among them, and a body's place at one, straight between the times
- * noted: x, y, orientation. */
-gsize tinker_motion_trail_marks(const TinkerMotionTrail *trail, double until);
-void tinker_motion_trail_mark(const TinkerMotionTrail *trail, gsize mark, int body, double pose[3]);
-
 /* Draws paths and marks up to a time, for `only` (may be NULL) the bodies that it answers TRUE for. In canvas units. */
 typedef gboolean (*TinkerTrailFilter)(TinkerBlockId body, void *data);
 void tinker_motion_trail_draw(const TinkerMotionTrail *trail, cairo_t *cairo, const TinkerView *view,

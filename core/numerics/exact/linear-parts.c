@@ -41,17 +41,24 @@ static void sort_members(TinkerLinearParts *parts, int32_t size)
     }
 }
 
+/* -1 where both its ends are anchors. */
+static int32_t part_of_edge(const TinkerLinearParts *parts, const TinkerLinearEdge *edge)
+{
+    if (edge->a >= 0) return parts->part_of[edge->a];
+    return edge->b >= 0 ? parts->part_of[edge->b] : -1;
+}
+
 static void sort_edges(TinkerLinearParts *parts, const TinkerLinearSystem *system)
 {
     parts->edge_starts = g_new0(int32_t, parts->count + 1);
     for (int32_t e = 0; e < system->edge_count; e++) {
-        int32_t part = tinker_linear_part_of_edge(parts, &system->edges[e]);
+        int32_t part = part_of_edge(parts, &system->edges[e]);
         if (part >= 0) parts->edge_starts[part + 1]++;
     }
     add_up(parts->edge_starts, parts->count);
     g_autofree int32_t *filled = g_new0(int32_t, parts->count + 1);
     for (int32_t e = 0; e < system->edge_count; e++) {
-        int32_t part = tinker_linear_part_of_edge(parts, &system->edges[e]);
+        int32_t part = part_of_edge(parts, &system->edges[e]);
         if (part >= 0) parts->edges[parts->edge_starts[part] + filled[part]++] = e;
     }
 }
@@ -81,10 +88,4 @@ void tinker_linear_parts_free(TinkerLinearParts *parts)
     g_free(parts->edge_starts);
     g_free(parts->edges);
     g_free(parts);
-}
-
-int32_t tinker_linear_part_of_edge(const TinkerLinearParts *parts, const TinkerLinearEdge *edge)
-{
-    if (edge->a >= 0) return parts->part_of[edge->a];
-    return edge->b >= 0 ? parts->part_of[edge->b] : -1;
 }

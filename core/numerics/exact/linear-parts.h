@@ -20,7 +20,4 @@ TinkerLinearParts *tinker_linear_parts_new(const TinkerLinearSystem *system);
 void tinker_linear_parts_free(TinkerLinearParts *parts);
 G_DEFINE_AUTOPTR_CLEANUP_FUNC(TinkerLinearParts, tinker_linear_parts_free)
 
-/* The part that an edge belongs to; -1 where both its ends are anchors. */
-int32_t tinker_linear_part_of_edge(const TinkerLinearParts *parts, const TinkerLinearEdge *edge);
-
 #endif

@@ -198,7 +198,7 @@ static double fastest_rate(TinkerOscillator *oscillator)
     return rate;
 }
 
-double tinker_stable_step(const TinkerIntegrator *method, double spectral_radius, TinkerOscillator oscillator)
+static double stable_step(const TinkerIntegrator *method, double spectral_radius, TinkerOscillator oscillator)
 {
     TinkerOscillator scaled = oscillator;
     double frequency = sqrt(fmax(oscillator.stiffness, 0)), ratio = fmax(oscillator.damping, 0) / frequency;
@@ -237,10 +237,10 @@ double tinker_stable_step_of_all(const TinkerIntegrator *method, double spectral
                                  const TinkerOscillator *oscillators, gsize count)
 {
     if (count == 0) return INFINITY;
-    double least = tinker_stable_step(method, spectral_radius, oscillators[fastest_of(oscillators, count)]);
+    double least = stable_step(method, spectral_radius, oscillators[fastest_of(oscillators, count)]);
     for (gsize i = 0; i < count && least > 0; i++)
         if (!isfinite(least) || !stands(method, spectral_radius, oscillators[i], least))
-            least = fmin(least, tinker_stable_step(method, spectral_radius, oscillators[i]));
+            least = fmin(least, stable_step(method, spectral_radius, oscillators[i]));
     return least;
 }
 

@@ -31,12 +31,9 @@ double tinker_map_growth(const double map[4]);
 double tinker_long_run_growth(const TinkerIntegrator *method, double spectral_radius, TinkerOscillator oscillator,
                               double step);
 
-/* The largest step below which every step is stable: no eigenvalue of the map is larger than 1. INFINITY where nothing
- * limits it, 0 where no step is stable. Negative stiffness and damping count as 0: what grows of its own accord limits
- * no step. */
-double tinker_stable_step(const TinkerIntegrator *method, double spectral_radius, TinkerOscillator oscillator);
-
-/* The largest step below which every step is stable for all of these oscillators. */
+/* The largest step below which every step is stable for all of these oscillators: no eigenvalue of the map is larger
+ * than 1. INFINITY where nothing limits it, 0 where no step is stable. Negative stiffness and damping count as 0: what
+ * grows of its own accord limits no step. */
 double tinker_stable_step_of_all(const TinkerIntegrator *method, double spectral_radius,
                                  const TinkerOscillator *oscillators, gsize count);
 
