@@ -153,6 +153,32 @@ static void test_estimate_at_rest(void)
     g_assert_cmpfloat(tinker_player_time(fixture->base->player), ==, 3);
 }
 
+/* The energies of the scene, which are added up sample by sample, are there once the hand rests, or once something has
+ * asked for them. */
+static void test_energies_at_rest(void)
+{
+    g_autoptr(Fixture) fixture = fixture_new();
+    const TinkerQuantity kinetic = {TINKER_NO_BLOCK, TINKER_SCENE_KINETIC};
+    g_autoptr(GArray) times = g_array_new(FALSE, FALSE, sizeof(double)),
+                      values = g_array_new(FALSE, FALSE, sizeof(double));
+    TinkerSeriesCursor first = {0}, second = {0};
+    turn(fixture, 36);
+    g_assert_true(gui_fixture_wait(is_whole, fixture));
+    g_assert_false(tinker_player_series(fixture->base->player, kinetic, &first, times, values));
+    g_assert_true(gui_fixture_wait(is_estimated, fixture));
+    g_assert_true(tinker_player_series(fixture->base->player, kinetic, &first, times, values));
+    turn(fixture, 49);
+    g_assert_true(gui_fixture_wait(is_whole, fixture));
+    g_array_set_size(times, 0);
+    g_array_set_size(values, 0);
+    g_assert_true(tinker_player_series(fixture->base->player, kinetic, &second, times, values));
+    for (guint i = 0; i < values->len; i++) {
+        const double speed = 7 * sin(7 * g_array_index(times, double, i));
+        g_assert_cmpfloat_with_epsilon(g_array_index(values, double, i), 0.5 * speed * speed, 100 * CLOSE);
+    }
+    g_assert_cmpuint(values->len, >, 100);
+}
+
 /* Of a long run a hand sees some samples, which are exact; once it rests, all of them. */
 static void test_samples_at_rest(void)
 {
@@ -283,6 +309,7 @@ static void add_tests(void)
     g_test_add_func("/gui/hand/time-stays", test_time_stays);
     g_test_add_func("/gui/hand/one-step", test_one_step);
     g_test_add_func("/gui/hand/estimate-at-rest", test_estimate_at_rest);
+    g_test_add_func("/gui/hand/energies-at-rest", test_energies_at_rest);
     g_test_add_func("/gui/hand/samples-at-rest", test_samples_at_rest);
     g_test_add_func("/gui/hand/as-far-as-it-is", test_as_far_as_it_is);
     g_test_add_func("/gui/hand/refused", test_refused);

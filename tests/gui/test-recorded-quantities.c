@@ -34,7 +34,7 @@ static void test_small(void)
 {
     g_autoptr(GuiFixture) fixture = masses(3);
     g_autoptr(GArray) asked = g_array_new(FALSE, FALSE, sizeof(TinkerQuantity));
-    g_autoptr(GArray) columns = tinker_recorded_quantities(fixture->document, asked);
+    g_autoptr(GArray) columns = tinker_recorded_quantities(fixture->document, asked, FALSE);
     g_assert_cmpuint(columns->len, ==, 3 * (guint)quantities_of_a_mass() + TINKER_SCENE_QUANTITIES);
 }
 
@@ -48,13 +48,13 @@ static void test_large(void)
     TinkerQuantity wanted = {gui_fixture_block(fixture, "M7"), 1}, gone = {count + 5, 0};
     const TinkerQuantity all[] = {graphed, wanted, gone, wanted, graphed};
     g_array_append_vals(asked, all, G_N_ELEMENTS(all));
-    g_autoptr(GArray) columns = tinker_recorded_quantities(fixture->document, asked);
+    g_autoptr(GArray) columns = tinker_recorded_quantities(fixture->document, asked, FALSE);
     g_assert_cmpuint(columns->len, ==, 2);
     g_assert_cmpuint(count_of(columns, graphed), ==, 1);
     g_assert_cmpuint(count_of(columns, wanted), ==, 1);
 
     tinker_document_select(fixture->document, graphed.block);
-    g_autoptr(GArray) selected = tinker_recorded_quantities(fixture->document, asked);
+    g_autoptr(GArray) selected = tinker_recorded_quantities(fixture->document, asked, FALSE);
     g_assert_cmpuint(selected->len, ==, (guint)quantities_of_a_mass() + 1);
     g_assert_cmpuint(count_of(selected, graphed), ==, 1);
 
@@ -62,13 +62,28 @@ static void test_large(void)
     for (int i = 0; i < count; i++)
         blocks[i] = tinker_scene_block_at(tinker_document_scene(fixture->document), i);
     tinker_document_select_all_of(fixture->document, blocks, count);
-    g_autoptr(GArray) everything = tinker_recorded_quantities(fixture->document, asked);
+    g_autoptr(GArray) everything = tinker_recorded_quantities(fixture->document, asked, FALSE);
     g_assert_cmpuint(everything->len, <, 4100);
     g_assert_cmpuint(count_of(everything, wanted), ==, 1);
 }
 
+/* A brief run goes without the energies of the scene, until they were asked for. */
+static void test_brief(void)
+{
+    g_autoptr(GuiFixture) fixture = masses(3);
+    g_autoptr(GArray) asked = g_array_new(FALSE, FALSE, sizeof(TinkerQuantity));
+    const TinkerQuantity energy = {TINKER_NO_BLOCK, TINKER_SCENE_DAMPERS};
+    g_autoptr(GArray) without = tinker_recorded_quantities(fixture->document, asked, TRUE);
+    g_assert_cmpuint(without->len, ==, 3 * (guint)quantities_of_a_mass());
+    g_array_append_val(asked, energy);
+    g_autoptr(GArray) with = tinker_recorded_quantities(fixture->document, asked, TRUE);
+    g_assert_cmpuint(with->len, ==, without->len + 1);
+    g_assert_cmpuint(count_of(with, energy), ==, 1);
+}
+
 static void add_tests(void)
 {
+    g_test_add_func("/recorded-quantities/brief", test_brief);
     g_test_add_func("/recorded-quantities/small", test_small);
     g_test_add_func("/recorded-quantities/large", test_large);
 }

@@ -272,6 +272,38 @@ static void test_stiff_line(void)
     }
 }
 
+/* Samples inside an interval that the fastest mode turns through many times, against the series from its start. */
+static void test_inside_a_stiff_interval(void)
+{
+    LinearCase test, truth;
+    case_init(&test, 4);
+    for (int32_t i = 0; i < 4; i++) {
+        double k = i % 2 ? 1e8 : 1e2;
+        case_edge(&test, i - 1, i, k, 0.02 * sqrt(k));
+        test.q[i] = (i / 2 + 1) / 2.0;
+    }
+    const double T = tinker_exact_interval(&test.linear, 0.0, 10.0);
+    assert_near(T, 10.0 / 257.0, 1e-15);
+    g_assert_cmpfloat(T * tinker_exact_fastest(&test.linear), >, 500.0);
+    const TinkerIntegrator *exact = tinker_integrator_builtin("exact");
+    TinkerIntegratorOptions options = {.struct_size = sizeof options};
+    TinkerStepReport report = {.struct_size = sizeof report};
+    copy_case(&truth, &test);
+    void *stepper = exact->create(&test.system, &options);
+    TinkerState state = {0.0, test.q, test.v, test.books};
+    g_assert_cmpint(exact->step(stepper, &state, T, &report), ==, TINKER_OK);
+    for (int i = 1; i <= 9; i++) {
+        double q[4], v[4], t = 0.103 * i * T;
+        case_run_by_series(&truth, t, 400);
+        g_assert_cmpint(exact->interpolate(stepper, t, q, v, NULL), ==, TINKER_OK);
+        for (int k = 0; k < 4; k++) {
+            assert_near(q[k], truth.q[k], 64.0 * DBL_EPSILON);
+            assert_near(v[k], truth.v[k], tinker_exact_claimed_error(&test.linear, T) * 100.0);
+        }
+    }
+    exact->destroy(stepper);
+}
+
 /* Proportional or not, the answers agree where both ways can go: dampers off Rayleigh's by a rounding that still
  * counts. */
 static void test_coupled_like_apart(void)
@@ -392,6 +424,7 @@ int main(int argc, char **argv)
     g_test_add_func("/numerics/exact-systems/unequal-pair", test_unequal_pair);
     g_test_add_func("/numerics/exact-systems/like-series", test_like_series);
     g_test_add_func("/numerics/exact-systems/stiff-line", test_stiff_line);
+    g_test_add_func("/numerics/exact-systems/inside-a-stiff-interval", test_inside_a_stiff_interval);
     g_test_add_func("/numerics/exact-systems/coupled-like-apart", test_coupled_like_apart);
     g_test_add_func("/numerics/exact-systems/damper-alone", test_damper_alone);
     g_test_add_func("/numerics/exact-systems/inside-a-step", test_inside_a_step);

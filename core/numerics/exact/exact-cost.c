@@ -9,10 +9,12 @@
 #define SWEEPS          7.0 /* of rotations until columns are orthogonal */
 #define SERIES_TERMS    16.0
 #define USUAL_DOUBLINGS 20.0
-/* Intervals of a run. A prime number at the least: one that lasts for a round number of periods is seen in different
- * phases. */
-#define LEAST_INTERVALS 17.0
-#define MOST_INTERVALS  65537.0
+/* Intervals of a run. A prime number at the least and at the most: a run that lasts for a round number of periods is
+ * seen in different phases. Coupled modes go on within an interval by halves of it, which are shared by all samples:
+ * many intervals would cost more than they save. */
+#define LEAST_INTERVALS        17.0
+#define MOST_INTERVALS         65537.0
+#define MOST_COUPLED_INTERVALS 257.0
 
 /* drag / mass is the same everywhere in the part. */
 static gboolean is_drag_even(const TinkerLinearSystem *system, const TinkerLinearParts *parts, int32_t part)
@@ -136,11 +138,11 @@ double tinker_exact_fastest(const TinkerLinearSystem *system)
 double tinker_exact_interval(const TinkerLinearSystem *system, double drive, double duration)
 {
     gboolean driven = system->force_count + system->motion_count > 0;
-    double rate = 0.0;
-    if (driven || !tinker_exact_is_proportional(system))
-        rate = fmax(tinker_exact_fastest(system) + greatest_row(system, TRUE), drive);
+    gboolean coupled = !tinker_exact_is_proportional(system);
+    double rate = 0.0, most = coupled ? MOST_COUPLED_INTERVALS : MOST_INTERVALS;
+    if (driven || coupled) rate = fmax(tinker_exact_fastest(system) + greatest_row(system, TRUE), drive);
     double count = ceil(duration * rate / TINKER_LINEAR_SERIES_REACH);
-    return duration / CLAMP(count, LEAST_INTERVALS, MOST_INTERVALS);
+    return duration / CLAMP(count, LEAST_INTERVALS, most);
 }
 
 double tinker_exact_claimed_error(const TinkerLinearSystem *system, double T)

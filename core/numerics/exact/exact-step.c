@@ -166,14 +166,43 @@ static void advance_piece(TinkerExactPart *part, const TinkerExactSlot *slot, co
     if (books && part->booked) tinker_exact_part_book(part, slot, from, to, books);
 }
 
+/* Whether a propagator for any time is a few closed forms. */
+static gboolean is_closed(const TinkerExactPart *part)
+{
+    return !part->coupled && part->signal_count == 0;
+}
+
+/* Whether it is so short that the series of the one vector is cheaper than a propagator. Books have none. */
+static gboolean is_short(const TinkerExactPart *part, double h, gboolean booked)
+{
+    return !booked && !is_closed(part) && part->rate * fabs(h) <= TINKER_LINEAR_SERIES_REACH;
+}
+
+static void go_by_series(TinkerExactPart *part, const TinkerSignal *signals, double t, double h, const double *from,
+                         double *to)
+{
+    int32_t n = part->n;
+    double *vector = part->amplitude + part->entries;
+    tinker_exact_part_values(part, signals, t, part->values);
+    tinker_exact_part_drive(part, part->values);
+    if (part->coupled) gather(part, from, vector);
+    tinker_exact_part_series(part, h, part->coupled ? vector : from, part->amplitude, to);
+    for (int32_t i = 0; i < 2 * n; i++)
+        to[i] += from[i];
+}
+
 /* Coupled modes go by halves of the step, quarters and so on, whose propagators are there already after a few times:
- * a new one for every place would cost as much as a new step length. */
+ * a new one for every place would cost as much as a new step length. What is left in the end is short. */
 static const double *go_by_levels(TinkerExactPart *part, const TinkerSignal *signals, double t_from, double h,
                                   double tolerance, double *books)
 {
     const double *from = part->from;
     double *to = part->scratch, *other = part->scratch + 2 * part->n, rest = h, piece = 0.5 * part->length;
     for (int level = 1; level < TINKER_EXACT_MOST_LEVELS && fabs(rest) > tolerance; level++, piece *= 0.5) {
+        if (is_short(part, rest, books && part->booked)) {
+            go_by_series(part, signals, t_from + (h - rest), rest, from, to);
+            return to;
+        }
         if (fabs(rest) < fabs(piece)) continue;
         const TinkerExactSlot *slot = tinker_exact_slot(part, piece, 0.0, TRUE, books && part->booked);
         if (!slot) return NULL;
@@ -188,32 +217,13 @@ static const double *go_by_levels(TinkerExactPart *part, const TinkerSignal *sig
     return from;
 }
 
-/* Whether a propagator for any time is a few closed forms. */
-static gboolean is_closed(const TinkerExactPart *part)
-{
-    return !part->coupled && part->signal_count == 0;
-}
-
-/* The values at the start must be set. */
-static const double *go_by_series(TinkerExactPart *part, double h)
-{
-    int32_t n = part->n;
-    double *to = part->scratch, *vector = part->amplitude + part->entries;
-    tinker_exact_part_drive(part, part->values);
-    if (part->coupled) gather(part, part->from, vector);
-    tinker_exact_part_series(part, h, part->coupled ? vector : part->from, part->amplitude, to);
-    for (int32_t i = 0; i < 2 * n; i++)
-        to[i] += part->from[i];
-    return to;
-}
-
 const double *tinker_exact_part_inside(TinkerExactPart *part, const TinkerSignal *signals, double t_from, double h,
                                        double tolerance, double *books)
 {
     gboolean booked = books && part->booked;
-    if (!booked && !is_closed(part) && part->rate * fabs(h) <= TINKER_LINEAR_SERIES_REACH) {
-        tinker_exact_part_values(part, signals, t_from, part->values);
-        return go_by_series(part, h);
+    if (is_short(part, h, booked)) {
+        go_by_series(part, signals, t_from, h, part->from, part->scratch);
+        return part->scratch;
     }
     if (part->coupled && tinker_exact_has_levels(part) && fabs(h) < fabs(part->length))
         return go_by_levels(part, signals, t_from, h, tolerance, books);

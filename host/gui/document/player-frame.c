@@ -48,7 +48,7 @@ void player_forget_record(TinkerPlayer *player)
 
 TinkerRunTask *player_new_task(TinkerPlayer *player, TinkerScene *scene, double start, gboolean estimate)
 {
-    g_autoptr(GArray) columns = tinker_recorded_quantities(player->document, player->asked);
+    g_autoptr(GArray) columns = tinker_recorded_quantities(player->document, player->asked, !estimate);
     return tinker_run_task_new(player->lane, scene, start, columns, estimate);
 }
 

@@ -1,5 +1,6 @@
 /* Quantities are cheap to record as long as there are few of them; so most runs have all, and a graph that is added
- * afterwards has its curve at once. */
+ * afterwards has its curve at once. The energies of the scene are not cheap where those given and taken have to be
+ * added up for every sample: under a hand that turns a number that would take most of the time. */
 #include "gui/document/recorded-quantities.h"
 
 #include "measure/formula.h"
@@ -75,37 +76,54 @@ static void remove_repeated(GArray *columns)
     g_array_set_size(columns, kept);
 }
 
-GArray *tinker_recorded_quantities(TinkerDocument *document, const GArray *asked)
+/* All there are, or as many as are too many. */
+static void add_all(GArray *columns, TinkerScene *scene, gboolean energies)
 {
-    TinkerScene *scene = tinker_document_scene(document);
-    GArray *columns = g_array_new(FALSE, FALSE, sizeof(TinkerQuantity));
-    int32_t count = tinker_scene_block_count(scene);
+    const int32_t count = tinker_scene_block_count(scene);
     for (int32_t place = 0; place < count && columns->len <= MOST; place++)
         add_quantities(columns, scene, tinker_scene_block_at(scene, place));
-    for (TinkerQuantity of = {TINKER_NO_BLOCK, 0}; of.quantity < TINKER_SCENE_QUANTITIES; of.quantity++)
+    for (TinkerQuantity of = {TINKER_NO_BLOCK, 0}; energies && of.quantity < TINKER_SCENE_QUANTITIES; of.quantity++)
         g_array_append_val(columns, of);
-    const gboolean all = columns->len <= MOST;
-    if (!all) g_array_set_size(columns, 0);
+}
+
+static void add_shown(GArray *columns, TinkerScene *scene)
+{
     GPtrArray *graphs = tinker_scene_graphs(scene);
     for (guint i = 0; i < graphs->len; i++)
         add_graphed(columns, scene, g_ptr_array_index(graphs, i));
     GPtrArray *instruments = tinker_scene_instruments(scene);
     for (guint i = 0; i < instruments->len; i++)
         add_metered(columns, scene, g_ptr_array_index(instruments, i));
-    if (all) {
-        remove_repeated(columns);
-        return columns;
-    }
+}
+
+static void add_selected(GArray *columns, TinkerDocument *document)
+{
     int selected;
     const TinkerBlockId *selection = tinker_document_selection(document, &selected);
     for (int i = 0; i < selected && columns->len <= MOST; i++)
-        add_quantities(columns, scene, selection[i]);
+        add_quantities(columns, tinker_document_scene(document), selection[i]);
+}
+
+static void add_asked(GArray *columns, TinkerScene *scene, const GArray *asked)
+{
     for (guint i = 0; i < asked->len; i++) {
         TinkerQuantity of = g_array_index(asked, TinkerQuantity, i);
         const TinkerBlockId other = tinker_quantity_other(of.quantity);
         if (other != TINKER_NO_BLOCK && !tinker_scene_has_block(scene, other)) continue;
-        if (tinker_scene_has_block(scene, of.block)) g_array_append_val(columns, of);
+        if (of.block == TINKER_NO_BLOCK || tinker_scene_has_block(scene, of.block)) g_array_append_val(columns, of);
     }
+}
+
+GArray *tinker_recorded_quantities(TinkerDocument *document, const GArray *asked, gboolean brief)
+{
+    TinkerScene *scene = tinker_document_scene(document);
+    GArray *columns = g_array_new(FALSE, FALSE, sizeof(TinkerQuantity));
+    add_all(columns, scene, !brief);
+    const gboolean all = columns->len <= MOST;
+    if (!all) g_array_set_size(columns, 0);
+    add_shown(columns, scene);
+    if (!all) add_selected(columns, document);
+    add_asked(columns, scene, asked);
     remove_repeated(columns);
     return columns;
 }
