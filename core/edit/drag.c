@@ -7,6 +7,7 @@
 
 #include "edit/edit-private.h"
 #include "edit/outline.h"
+#include "scene/frame/tops.h"
 
 #define ANGLE_SNAP (TINKER_PI / 12.0) /* rad: 15 degrees, beside the grid of places */
 
@@ -195,12 +196,35 @@ TinkerBlockId tinker_drag_to(TinkerDrag *drag, double x, double y, double grid, 
     return drag->target;
 }
 
+/* Of a connector whose other end is on a body that stands on the target: where the end lies along the top, as far from
+ * it as that other end, so that the connector pulls and pushes along the top, the only way that the body can go. */
+static gboolean place_along_top(const TinkerDrag *drag, double own[2])
+{
+    TinkerInstance instance;
+    const int32_t other = 1 - drag->hit.part;
+    if (!tinker_class_has_top(tinker_scene_block_class(drag->scene, drag->target)) ||
+        tinker_scene_end_count(drag->scene, drag->hit.block) != 2)
+        return FALSE;
+    const TinkerBlockId body = tinker_scene_end(drag->scene, drag->hit.block, other).block;
+    g_autoptr(TinkerFrame) frame = body != TINKER_NO_BLOCK && body != drag->target ? look(drag, &instance) : NULL;
+    if (frame == NULL) return FALSE;
+    const TinkerTop top = tinker_top_of(frame, drag->target);
+    double place[2], across[2];
+    if (!tinker_top_touches(frame, &top, body)) return FALSE;
+    point_of_part(drag, &instance, place);
+    tinker_frame_to_own(frame, drag->target, place, own);
+    tinker_frame_to_own(frame, drag->target, (const double[2]){instance.end[other].x, instance.end[other].y}, across);
+    own[1] = across[1];
+    return TRUE;
+}
+
 /* Where the end goes, in the target's own axes: to its centre; to the point under the pointer; on a body that turns to
- * where the end lies, snapped as it is. */
+ * where the end lies, snapped as it is; along the top that the other end's body is on. */
 static void place_on_target(const TinkerDrag *drag, gboolean at_point, double own[2])
 {
     TinkerInstance instance;
     own[0] = own[1] = 0;
+    if (!at_point && place_along_top(drag, own)) return;
     const TinkerBlockClass *target = tinker_scene_block_class(drag->scene, drag->target);
     const gboolean keeps = edit_keeps_places(drag->scene, drag->target);
     if (!keeps && (!at_point || target->physics->body->degrees_of_freedom == 2)) return;

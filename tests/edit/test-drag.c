@@ -180,6 +180,27 @@ static void test_connect_to_what_turns(Stage *stage, gconstpointer data)
     }
 }
 
+/* A mass of height 0.8 lies 2 m up the top, 0.1 above the middle, of an incline of 3 : 4. The end of its spring that is
+ * dropped lower down is as far off the top as the mass's centre, so that the spring is parallel to it; with Shift held
+ * it is where it was dropped. */
+static void test_connect_along_top(Stage *stage, gconstpointer data)
+{
+    for (int at_point = 0; at_point < 2; at_point++) {
+        g_autoptr(TinkerScene) scene = scene_fixture_read_blocks(
+            "{\"type\": \"support\", \"name\": \"Incline\", \"orientation\": 0.6435011087932844, \"width\": 8, "
+            "\"height\": 0.2},"
+            "{\"type\": \"mass\", \"name\": \"Block\", \"on\": \"Incline\", \"along\": 2, \"height\": 0.8},"
+            "{\"type\": \"spring\", \"name\": \"S\", \"ends\": [\"Block\", [3, -3]]}");
+        TinkerHistory *history = tinker_history_new(scene);
+        TinkerDrag *drag =
+            tinker_drag_begin(history, scene, (TinkerHit){tinker_scene_find_block(scene, "S"), 1}, 3, -3);
+        tinker_drag_to(drag, -1.6, -1.2, 0, REACH);
+        tinker_drag_end(drag, at_point, 0);
+        expect_end(scene, "S", 1, "Incline", -2, at_point ? 0 : 0.5);
+        tinker_history_free(history);
+    }
+}
+
 /* A pin goes onto the two topmost bodies, at one place: that of a marked point, and of a point mass its centre. */
 static void test_joint_drop(Stage *stage, gconstpointer data)
 {
@@ -379,6 +400,7 @@ static void add_tests(void)
     add("/edit/drag/click", test_click);
     add("/edit/drag/connect", test_connect);
     add("/edit/drag/connect-at-point", test_connect_at_point);
+    add("/edit/drag/connect-along-top", test_connect_along_top);
     add("/edit/drag/connect-to-what-turns", test_connect_to_what_turns);
     add("/edit/drag/joint-drop", test_joint_drop);
     add("/edit/drag/bodies-meet", test_bodies_meet);

@@ -49,6 +49,15 @@ def test_support_is_highlighted_too(display):
         check_equal(app.blocks()["Link"]["ends"], ["Wall", "Ball"], "ends")
 
 
+def test_end_beside_a_body_on_the_same_support_lies_along_its_top(display):
+    """The mass lies on the floor, so its centre is 0.4 m above the top, which is 0.2 m above the middle of the floor."""
+    with App(display, scene(support("Floor", 0, 0, height=0.4, width=6), mass("Block", 2, 0.6),
+                            connector("bumper", "Buffer", (0, 2), "Block"))) as app:
+        app.show_width()
+        app.drag((0, 2), (-1, 1), (-2, 0))
+        check_equal(app.blocks()["Buffer"]["ends"], [{"block": "Floor", "at": [-2, 0.6]}, "Block"], "ends")
+
+
 def test_connected_end_is_pulled_off(display):
     with App(display, scene(support("Wall", 0, 3), mass("Ball", 0, 0), spring("Link", "Wall", "Ball"))) as app:
         app.show_width()
