@@ -8,6 +8,8 @@
 #include "gui/text/translate.h"
 #include "units/units.h"
 
+#define FEW 6 /* quantities that are all seen at once */
+
 gboolean tinker_block_class_has_graphs(const TinkerBlockClass *block_class)
 {
     return block_class != NULL && block_class->graph != NULL && block_class->quantity_count > 0;
@@ -85,13 +87,17 @@ GMenuModel *tinker_graph_menu_new(const TinkerBlockClass *block_class)
     GMenu *menu = g_menu_new();
     if (!tinker_block_class_has_graphs(block_class)) return G_MENU_MODEL(menu);
     g_autoptr(GMenu) common = g_menu_new(), others = g_menu_new(), phases = phase_plots(block_class);
+    gboolean usual = FALSE;
+    for (int32_t i = 0; i < block_class->quantity_count; i++)
+        usual |= is_recorded(&block_class->quantities[i]);
+    const gboolean all_alike = !usual || block_class->quantity_count <= FEW;
     for (int32_t i = 0; i < block_class->quantity_count; i++) {
         const TinkerQuantityType *quantity = &block_class->quantities[i];
-        append(is_recorded(quantity) ? common : others, tinker_translate(quantity->title), quantity->id, NULL);
+        append(all_alike || is_recorded(quantity) ? common : others, tinker_translate(quantity->title), quantity->id,
+               NULL);
     }
-    gboolean all_alike = g_menu_model_get_n_items(G_MENU_MODEL(common)) == 0;
-    g_menu_append_section(menu, NULL, G_MENU_MODEL(all_alike ? others : common));
-    if (!all_alike) append_submenu(menu, _("More Quantities"), others);
+    g_menu_append_section(menu, NULL, G_MENU_MODEL(common));
+    append_submenu(menu, _("More Quantities"), others);
     append_submenu(menu, _("Phase Plot"), phases);
     return G_MENU_MODEL(menu);
 }

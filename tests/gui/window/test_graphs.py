@@ -5,6 +5,7 @@ import os
 import subprocess
 
 from harness import App, check, check_close, check_equal, colours, main, mass, scene, spring, support, wait
+from harness.scenes import connector
 
 CLIPBOARD = os.environ["TINKER_CLIPBOARD"]  # another program, which reads the clipboard
 
@@ -26,6 +27,16 @@ def graph(app):
 def run(app):
     app.click("Play")
     wait(lambda: app.time() == 0.1 and not app.is_playing(), "the end of the run")
+
+
+def test_few_quantities_are_in_one_menu(display):
+    """A bumper has four quantities, of which a record has the force of its own accord."""
+    file = scene(support("Floor", 0, 0), mass("Ball", 2, 2), connector("bumper", "Buffer", "Floor", "Ball"))
+    with App(display, file) as app:
+        app.click(app.find("list item", app.pattern("^Buffer")), button=3)
+        app.choose("Add Graph", "Compression")
+        graph(app)
+        check_equal(app.saved()["graphs"][0]["quantity"], "compression", "quantity of the graph in the file")
 
 
 def test_menu_of_a_block_adds_one(display):
