@@ -247,6 +247,8 @@ static void test_diagram(CliFixture *fixture, gconstpointer data)
     g_assert_cmpstr(cJSON_GetObjectItem(rod, "partner")->valuestring, ==, "Pivot");
     g_assert_cmpstr(cJSON_GetObjectItem(rod, "kind")->valuestring, ==, "constraint");
     cJSON_Delete(root);
+    g_autoptr(TestProgram) page = cli_run_well(fixture, "diagram @scene.json --block Bob");
+    cli_assert_holds(page->output, "  force                x [N]  y [N]  size [N]\n");
     g_autoptr(TestProgram) nobody = cli_run_badly(fixture, "diagram @scene.json", 2);
     cli_assert_holds(nobody->error, "a body is needed");
 }
