@@ -161,6 +161,8 @@ TinkerExpression *tinker_expression_over(TinkerExpression *a, TinkerExpression *
 
 TinkerExpression *tinker_expression_to_power(TinkerExpression *base, TinkerExpression *exponent)
 {
+    const gboolean even = is_number(exponent) && fmod(exponent->number, 2) == 0;
+    if (even && base->kind == TINKER_EXPRESSION_NEGATIVE) base = tinker_expression_negated(base);
     TinkerExpression *parts[] = {base, exponent};
     if (tinker_expression_is_number(exponent, 0)) return instead(base, exponent, tinker_expression_number(1));
     if (tinker_expression_is_number(exponent, 1)) return only(base, exponent);

@@ -224,10 +224,21 @@ static void test_lowest_terms(void)
     }
 }
 
+/* Even powers have no sign below them. */
+static void test_even_powers(void)
+{
+    TinkerExpression *x = tinker_expression_negated(parse("x"));
+    g_autoptr(TinkerExpression) square = tinker_expression_squared(tinker_expression_ref(x)), plain = parse("x^2");
+    g_autoptr(TinkerExpression) cube = tinker_expression_to_power(x, tinker_expression_number(3));
+    g_assert_true(tinker_expression_equal(square, plain));
+    g_assert_cmpint(cube->parts[0]->kind, ==, TINKER_EXPRESSION_NEGATIVE);
+}
+
 int main(int argc, char **argv)
 {
     g_test_init(&argc, &argv, NULL);
     g_test_add_func("/law/lowest-terms", test_lowest_terms);
+    g_test_add_func("/law/even-powers", test_even_powers);
     g_test_add_func("/law/derivatives", test_derivatives);
     g_test_add_func("/law/tidied", test_tidied);
     g_test_add_func("/law/values", test_values);
