@@ -63,8 +63,10 @@ static void count_stem(TinkerEquationWriter *writer, const char *stem)
 static void count_stems(TinkerEquationWriter *writer, TinkerBlockId block, const TinkerBlockClass *block_class,
                         Group group)
 {
-    static const char *const of_bodies[] = {"m", "I", "x", "y", "θ", "h", NULL};
-    static const char *const of_supports[] = {"X", "Y", "φ", "H", "N", "f", "µs", "µd", "s0", "σ", NULL};
+    static const char *const of_bodies[] = {"m", "I", "x", "y", "θ", "h", "R", NULL};
+    static const char *const of_supports[] = {"X",  "Y",  "φ",  "X0", "Y0", "φ0", "H",  "N", "f",
+                                              "µs", "µd", "s0", "σ",  "r",  "ax", "ay", "M", NULL};
+    static const char *const of_unwritten[] = {"F", "τ", NULL}; /* what acts without a law */
     static const char *const of_lines[] = {"L", "T", NULL}, *const of_constraints[] = {"L", "λ", NULL};
     static const char *const of_others[] = {"V", "F", NULL};
     const TinkerLawRole role = tinker_law_role(block_class);
@@ -76,6 +78,8 @@ static void count_stems(TinkerEquationWriter *writer, TinkerBlockId block, const
     for (; *stems != NULL; stems++)
         count_stem(writer, *stems);
     g_autoptr(TinkerBlockLaw) law = tinker_writer_law_of(writer, block, NULL);
+    for (stems = of_unwritten; law == NULL && group != GROUP_BODIES && *stems != NULL; stems++)
+        count_stem(writer, *stems);
     for (guint i = 0; law != NULL && i < law->symbols->len; i++) {
         const TinkerLawSymbol *symbol = &g_array_index(law->symbols, TinkerLawSymbol, i);
         if (symbol->property >= 0) count_stem(writer, symbol->name);

@@ -43,13 +43,34 @@ void tinker_term_clear(void *data)
     g_clear_pointer(&term->torque, tinker_expression_unref);
 }
 
-/* A number of the run for what no law says. */
-static TinkerExpression *unwritten(TinkerEquationWriter *writer, TinkerBlockId block, const char *stem,
-                                   const char *component, double value, TinkerDimension dimension, const char *why)
+/* What no law says: numbers of the run. */
+typedef struct {
+    TinkerBlockId block;
+    const char *index; /* of the names; NULL: that of the block */
+    const char *why;
+} Unwritten;
+
+static TinkerExpression *unwritten(TinkerEquationWriter *writer, const Unwritten *of, const char *stem,
+                                   const char *component, double value, TinkerDimension dimension)
 {
-    const char *name = tinker_writer_name(writer, block, stem, 0, component);
-    tinker_writer_note_unwritten(writer, block, name, why);
-    return tinker_writer_symbol(writer, name, block, value, dimension, NULL, "force");
+    const char *name = of->index == NULL ? tinker_writer_name(writer, of->block, stem, 0, component)
+                                         : tinker_writer_indexed_name(writer, of->block, stem, of->index, 0, component);
+    tinker_writer_note_unwritten(writer, of->block, name, of->why);
+    return tinker_writer_symbol(writer, name, of->block, value, dimension, NULL,
+                                dimension.length == 1 ? "force" : "torque");
+}
+
+/* "block,body" of what acts on several bodies; NULL of what acts on one. (transfer full) */
+static char *index_of_unwritten(const TinkerEquationWriter *writer, TinkerBlockId block, TinkerBlockId body)
+{
+    const char *own = tinker_writer_index(writer, block), *of_body = tinker_writer_index(writer, body);
+    double force[3];
+    guint acted_on = 0;
+    for (guint i = 0; i < writer->equations->bodies->len; i++) {
+        const TinkerBodyEquation *each = g_ptr_array_index(writer->equations->bodies, i);
+        acted_on += tinker_model_state_force(writer->state, block, each->block, -1, force);
+    }
+    return acted_on > 1 ? g_strconcat(own, own[0] != '\0' && of_body[0] != '\0' ? "," : "", of_body, NULL) : NULL;
 }
 
 void tinker_writer_add_unwritten(TinkerEquationWriter *writer, TinkerBlockId block, TinkerTermKind kind,
@@ -61,11 +82,12 @@ void tinker_writer_add_unwritten(TinkerEquationWriter *writer, TinkerBlockId blo
         double force[3];
         if (!tinker_model_state_force(writer->state, block, body->block, -1, force)) continue;
         const TinkerPointSymbols centre = {.block = body->block};
+        g_autofree char *index = index_of_unwritten(writer, block, body->block);
+        const Unwritten of = {block, index, why};
         TinkerExpression *parts[3] = {NULL, NULL, NULL};
         for (int axis = 0; axis < 2; axis++)
-            parts[axis] = unwritten(writer, block, "F", components[axis], force[axis], tinker_force_dimension, why);
-        if (body->inertia != NULL)
-            parts[2] = unwritten(writer, block, "τ", NULL, force[2], tinker_torque_dimension, why);
+            parts[axis] = unwritten(writer, &of, "F", components[axis], force[axis], tinker_force_dimension);
+        if (body->inertia != NULL) parts[2] = unwritten(writer, &of, "τ", NULL, force[2], tinker_torque_dimension);
         tinker_writer_add_term(writer, &centre, block, kind, parts[0], parts[1], parts[2]);
     }
 }
