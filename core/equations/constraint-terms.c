@@ -181,6 +181,13 @@ static void keep_pin(TinkerEquationWriter *writer, const Rows *rows, const GPtrA
         tinker_writer_keep_line(writer->equations->pins, rows->block, rows->points, none, NULL, none);
 }
 
+/* Of a length that is kept, by its block's own word for it: λ pushes the ends apart. */
+static gboolean is_tension(const TinkerEquationWriter *writer, TinkerBlockId block, const Rows *rows)
+{
+    return rows->rows == 1 &&
+           tinker_block_class_quantity(tinker_scene_block_class(writer->scene, block), "tension") >= 0;
+}
+
 /* What the law says of each row; those that are 0 for these ends are left out. FALSE where it does not say. */
 static gboolean rows_of(TinkerEquationWriter *writer, TinkerBlockId block, const TinkerBlockLaw *law,
                         const GArray *points, GPtrArray *g, GArray *dimensions)
@@ -228,6 +235,7 @@ gboolean tinker_writer_add_constraint(TinkerEquationWriter *writer, TinkerBlockI
     keep_pin(writer, &rows, g);
     g_autofree double *values = fitted(writer, &rows);
     const gboolean active = !unilateral || acts(writer, &rows);
+    const char *means = is_tension(writer, block, &rows) ? "minus its tension" : "multiplier";
     g_autoptr(GPtrArray) multipliers = g_ptr_array_new_with_free_func((GDestroyNotify)tinker_expression_unref);
     for (guint r = 0; r < g->len; r++) {
         const TinkerDimension dimension = g_array_index(dimensions, TinkerDimension, r);
@@ -236,8 +244,7 @@ gboolean tinker_writer_add_constraint(TinkerEquationWriter *writer, TinkerBlockI
         const guint named = dimension.angle == 1 ? 2 : r;
         const char *name = tinker_writer_name(
             writer, block, "λ", 0, g->len > 1 && named < G_N_ELEMENTS(components) ? components[named] : NULL);
-        g_ptr_array_add(multipliers,
-                        tinker_writer_symbol(writer, name, block, values[r], of_multiplier, NULL, "multiplier"));
+        g_ptr_array_add(multipliers, tinker_writer_symbol(writer, name, block, values[r], of_multiplier, NULL, means));
         tinker_writer_add_row(writer, block, tinker_expression_ref(g_ptr_array_index(g, r)), dimension, name, active);
         note_slopes(writer, &rows, (int32_t)r);
     }
@@ -251,6 +258,12 @@ void tinker_writer_add_row(TinkerEquationWriter *writer, TinkerBlockId block, Ti
                            TinkerDimension dimension, const char *multiplier, gboolean active)
 {
     TinkerConstraintEquation *row = g_new(TinkerConstraintEquation, 1);
-    *row = (TinkerConstraintEquation){block, g, g_strdup(multiplier), dimension, active, FALSE};
+    *row = (TinkerConstraintEquation){block, g, g_strdup(multiplier), NULL, dimension, active, FALSE};
     g_ptr_array_add(writer->equations->constraints, row);
+}
+
+void tinker_writer_limit_row(TinkerEquationWriter *writer, TinkerExpression *limit)
+{
+    const GPtrArray *rows = writer->equations->constraints;
+    ((TinkerConstraintEquation *)g_ptr_array_index(rows, rows->len - 1))->limit = limit;
 }

@@ -164,7 +164,23 @@ static TinkerExpression *kept_along(TinkerEquationWriter *writer, const TinkerTo
     return tinker_expression_plus(place, tinker_expression_times(copy(top->radius), turned));
 }
 
-static void add_sticking(TinkerEquationWriter *writer, const TinkerTopContact *contact, const Top *top)
+static double friction_of(const TinkerEquationWriter *writer, TinkerBlockId block, double otherwise)
+{
+    return tinker_frame_meaning(writer->frame, block, TINKER_MEANING_DYNAMIC_FRICTION, 0, otherwise);
+}
+
+/* A coefficient of friction: the geometric mean where the body has one of its own. */
+static TinkerExpression *friction_share(TinkerEquationWriter *writer, const TinkerTopContact *contact, int32_t meaning,
+                                        const char *stem)
+{
+    TinkerExpression *of_support = tinker_writer_meaning(writer, contact->support, meaning, 0, stem);
+    if (isnan(tinker_frame_meaning(writer->frame, contact->body, meaning, 0, NAN))) return of_support;
+    TinkerExpression *of_body = tinker_writer_meaning(writer, contact->body, meaning, 0, stem);
+    return tinker_expression_call("sqrt", tinker_expression_times(of_support, of_body));
+}
+
+static void add_sticking(TinkerEquationWriter *writer, const TinkerTopContact *contact, const Top *top,
+                         const TinkerExpression *normal)
 {
     const TinkerBlockId support = contact->support;
     TinkerExpression *place = kept_along(writer, contact, top);
@@ -177,31 +193,19 @@ static void add_sticking(TinkerEquationWriter *writer, const TinkerTopContact *c
     TinkerExpression *friction =
         tinker_writer_symbol(writer, name, support, contact->friction, tinker_force_dimension, NULL, "friction force");
     tinker_writer_add_row(writer, support, tinker_expression_minus(place, from), tinker_length_dimension, name, TRUE);
+    tinker_writer_limit_row(
+        writer,
+        tinker_expression_times(friction_share(writer, contact, TINKER_MEANING_STATIC_FRICTION, "µs"), copy(normal)));
     g_autoptr(TinkerExpression) back = tinker_expression_negated(copy(top->normal[0]));
     note_slope(writer, contact, top, top->normal[1], back, TRUE);
     add_friction_term(writer, contact, top, friction);
-}
-
-static double friction_of(const TinkerEquationWriter *writer, TinkerBlockId block, double otherwise)
-{
-    return tinker_frame_meaning(writer->frame, block, TINKER_MEANING_DYNAMIC_FRICTION, 0, otherwise);
-}
-
-/* Dynamic friction over the normal force: the geometric mean where the body has a coefficient of its own. */
-static TinkerExpression *friction_share(TinkerEquationWriter *writer, const TinkerTopContact *contact)
-{
-    TinkerExpression *of_support =
-        tinker_writer_meaning(writer, contact->support, TINKER_MEANING_DYNAMIC_FRICTION, 0, "µd");
-    if (isnan(friction_of(writer, contact->body, NAN))) return of_support;
-    TinkerExpression *of_body = tinker_writer_meaning(writer, contact->body, TINKER_MEANING_DYNAMIC_FRICTION, 0, "µd");
-    return tinker_expression_call("sqrt", tinker_expression_times(of_support, of_body));
 }
 
 static void add_sliding(TinkerEquationWriter *writer, const TinkerTopContact *contact, const Top *top,
                         const TinkerExpression *normal, double direction)
 {
     const TinkerBlockId support = contact->support;
-    TinkerExpression *share = friction_share(writer, contact);
+    TinkerExpression *share = friction_share(writer, contact, TINKER_MEANING_DYNAMIC_FRICTION, "µd");
     if (tinker_expression_is_number(share, 0)) {
         tinker_expression_unref(share);
         return;
@@ -258,7 +262,7 @@ void tinker_writer_add_top_contact(TinkerEquationWriter *writer, const TinkerTop
     if (moves || as_sliding)
         add_sliding(writer, contact, &top, normal, moves ? copysign(1, speed) : -copysign(1, contact->friction));
     else
-        add_sticking(writer, contact, &top);
+        add_sticking(writer, contact, &top, normal);
     if (tinker_frame_meaning(writer->frame, contact->body, TINKER_MEANING_ROLLING_RESISTANCE, 0, 0) > 0)
         add_moment(writer, contact, &top);
     top_clear(&top);

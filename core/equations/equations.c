@@ -36,6 +36,7 @@ static void constraint_free(void *data)
     TinkerConstraintEquation *constraint = data;
     tinker_expression_unref(constraint->g);
     g_free(constraint->multiplier);
+    if (constraint->limit != NULL) tinker_expression_unref(constraint->limit);
     g_free(constraint);
 }
 

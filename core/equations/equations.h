@@ -74,6 +74,7 @@ typedef struct {
     TinkerBlockId block;
     TinkerExpression *g;
     char *multiplier;
+    TinkerExpression *limit;   /* N: as far as friction holds, |multiplier| <= limit; NULL: there is none */
     TinkerDimension dimension; /* of g */
     gboolean active;           /* FALSE: a slack rope, whose multiplier is 0 and whose g is not */
     gboolean redundant;        /* it depends on others: the multipliers are those of least norm */

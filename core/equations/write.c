@@ -162,9 +162,44 @@ static GHashTable *needed_names(const TinkerEquations *equations, const TinkerEq
     }
     for (guint i = 0; i < equations->constraints->len; i++) {
         const TinkerConstraintEquation *row = g_ptr_array_index(equations->constraints, i);
-        if (g_hash_table_contains(needed, row->multiplier)) tinker_equations_mark(equations, row->g, needed);
+        if (!g_hash_table_contains(needed, row->multiplier)) continue;
+        tinker_equations_mark(equations, row->g, needed);
+        if (row->limit != NULL) tinker_equations_mark(equations, row->limit, needed);
     }
     return needed;
+}
+
+static const TinkerEquationSymbol *symbol_of(const TinkerEquations *equations, const char *name)
+{
+    for (guint i = 0; i < equations->symbols->len; i++) {
+        const TinkerEquationSymbol *symbol = g_ptr_array_index(equations->symbols, i);
+        if (strcmp(symbol->name, name) == 0) return symbol;
+    }
+    return NULL;
+}
+
+/* "Rod (unknown λ: minus its tension)", and how far friction goes. LaTeX has no letters for it in a text. */
+static char *held_by(const TinkerPage *page, const TinkerConstraintEquation *row)
+{
+    const TinkerEquationSymbol *multiplier = symbol_of(page->equations, row->multiplier);
+    TinkerPage plain = *page;
+    plain.format = TINKER_TYPESET_TEXT;
+    GString *text = g_string_new(name_of(page->equations, row->block));
+    if (page->format != TINKER_TYPESET_LATEX) {
+        const gboolean told = strcmp(multiplier->quantity, "multiplier") != 0;
+        g_autofree char *name = tinker_page_symbol(&plain, row->multiplier);
+        g_autofree char *limit = row->limit != NULL ? tinker_page_expression(&plain, row->limit) : NULL;
+        g_string_append_printf(text, C_("equations", " (unknown %s: %s"), name,
+                               told                                ? tinker_page_words(multiplier->quantity)
+                               : multiplier->dimension.length == 1 ? C_("equations", "force")
+                                                                   : C_("equations", "torque"));
+        if (limit != NULL) g_string_append_printf(text, C_("equations", ", sticks while |%s| ≤ %s"), name, limit);
+        g_string_append_c(text, ')');
+    }
+    g_string_append(text, !row->active     ? C_("equations", ", slack")
+                          : row->redundant ? C_("equations", ", one of those that share the load: least norm")
+                                           : "");
+    return g_string_free(text, FALSE);
 }
 
 static void write_constraints(TinkerPage *page, GHashTable *needed)
@@ -178,17 +213,8 @@ static void write_constraints(TinkerPage *page, GHashTable *needed)
         first = FALSE;
         g_autoptr(TinkerExpression) zero = tinker_expression_number(0);
         page->about = row->block;
-        g_autofree char *multiplier = tinker_page_symbol(page, row->multiplier);
-        g_autofree char *plain = page->format == TINKER_TYPESET_TEXT
-                                     ? g_strdup_printf(C_("equations", " (unknown force %s)"), multiplier)
-                                     : g_strdup("");
         tinker_page_equation(page, tinker_page_expression(page, zero), tinker_page_expression(page, row->g),
-                             g_strconcat(name_of(equations, row->block), plain,
-                                         !row->active ? C_("equations", ", slack")
-                                         : row->redundant
-                                             ? C_("equations", ", one of those that share the load: least norm")
-                                             : "",
-                                         NULL));
+                             held_by(page, row));
     }
 }
 

@@ -170,6 +170,9 @@ TinkerExpression *tinker_writer_length(TinkerEquationWriter *writer, TinkerBlock
 void tinker_writer_add_row(TinkerEquationWriter *writer, TinkerBlockId block, TinkerExpression *g,
                            TinkerDimension dimension, const char *multiplier, gboolean active);
 
+/* What the row that was added last can hold at most, which is taken over. */
+void tinker_writer_limit_row(TinkerEquationWriter *writer, TinkerExpression *limit);
+
 /* Says of the row that was added last what it does to a body. */
 void tinker_writer_note_slope(TinkerEquationWriter *writer, TinkerBlockId body, const double slope[3]);
 

@@ -207,7 +207,13 @@ static void test_rolling(CliFixture *fixture, gconstpointer data)
     assert_near(symbol_of(root, "f_1"), -mass * g * s / 3, 1e-9);
     assert_near(symbol_of(root, "f_2"), -mass * g * s / 2, 1e-9);
     cJSON_Delete(root);
-    static const char *const lines[] = {"I₁ θ̈₁ = f₁ R", "− (H / 2 + R) ", "+ R θ₁ − s0₁ ", "I₂ θ̈₂ = f₂ R", NULL};
+    static const char *const lines[] = {"I₁ θ̈₁ = f₁ R₁",
+                                        "− (H / 2 + R₁) ",
+                                        "+ R₁ θ₁ − s0₁ ",
+                                        "I₂ θ̈₂ = f₂ R₂",
+                                        "friction force, sticks while |f₁| ≤ µs N₁)",
+                                        "µs = 0.6 ",
+                                        NULL};
     assert_page_holds(fixture, "equations @scene.json", lines);
 }
 
