@@ -16,12 +16,13 @@
 #include "numerics/integrate/tolerances.h"
 
 #define REJECTIONS_CAP 100
-#define BLOCK          8 /* entries that are summed side by side, in registers */
-#define PAIRS          (BLOCK / 2)
+#define LANES          4
+#define FOURS          2 /* that are summed at once, in registers */
 
-/* Two numbers side by side. GCC 12 does not vectorise the sums by itself, as their inner loop is short; the operations
- * and their order are those of the plain loop. */
+/* Numbers side by side. GCC 12 does not vectorise the sums by itself, as their inner loop is short; the operations and
+ * their order are those of the plain loop. */
 typedef double Pair __attribute__((vector_size(16)));
+typedef double Four __attribute__((vector_size(LANES * sizeof(double))));
 
 /* A weighted sum of accelerations, one for q and one for v, without the terms that are 0. */
 typedef struct Row {
@@ -58,7 +59,7 @@ static Row make_row(const TinkerTableau *tableau, const double *weights)
     int stages = tableau->stages + 1 + tableau->extra_stages;
     for (int j = 0; j < stages; j++) {
         double q = 0.0;
-        for (int k = 0; k < stages; k++)
+        for (int k = j + 1; k < stages; k++) /* no stage is made of itself or later ones */
             q += weights[k] * tableau->a[k][j];
         if (fabs(q) < 1e-14) q = 0.0; /* a simplifying assumption of the method, up to rounding */
         if (q == 0.0 && weights[j] == 0.0) continue;
@@ -68,38 +69,6 @@ static Row make_row(const TinkerTableau *tableau, const double *weights)
     return row;
 }
 
-/* 2 `pairs` entries from `first` on: h^2 sum_j wq_j a_j, and h sum_j wv_j a_j. */
-static inline __attribute__((always_inline)) void sum_pairs(const Stepper *stepper, const Row *row, double h,
-                                                            int32_t first, const int pairs, Pair *q_sum, Pair *v_sum)
-{
-    Pair q[PAIRS] = {{0.0}}, v[PAIRS] = {{0.0}};
-    for (int j = 0; j < row->count; j++) {
-        const double *each = stepper->a[row->stage[j]] + first;
-        Pair of_q = {row->weight[j][0], row->weight[j][0]}, of_v = {row->weight[j][1], row->weight[j][1]};
-        for (int k = 0; k < pairs; k++) {
-            Pair term;
-            memcpy(&term, each + 2 * k, sizeof term);
-            q[k] += of_q * term;
-            v[k] += of_v * term;
-        }
-    }
-    for (int k = 0; k < pairs; k++) {
-        q_sum[k] = (h * h) * q[k];
-        v_sum[k] = h * v[k];
-    }
-}
-
-/* The sums of one entry, side by side. */
-static inline Pair sum_one(const Stepper *stepper, const Row *row, double h, int32_t i)
-{
-    Pair sum = {0.0, 0.0};
-    for (int j = 0; j < row->count; j++) {
-        double term = stepper->a[row->stage[j]][i];
-        sum += row->weight[j] * (Pair){term, term};
-    }
-    return sum * (Pair){h * h, h};
-}
-
 /* Where sums go: alone, or onto a state that drifts for a time. */
 typedef struct Onto {
     const double *q, *v; /* NULL: alone */
@@ -107,41 +76,59 @@ typedef struct Onto {
     double *q_out, *v_out;
 } Onto;
 
-/* q_out = q + (drift v + sum), v_out = v + sum. */
-static inline __attribute__((always_inline)) void put(const Onto *onto, int32_t i, double q_sum, double v_sum)
+/* From `first` on `fours` times four entries: with h^2 sum_j wq_j a_j and h sum_j wv_j a_j,
+ * q_out = q + (drift v + sum), v_out = v + sum. */
+static inline __attribute__((always_inline)) void combine_fours(const Stepper *stepper, const Row *row, double h,
+                                                                const Onto *onto, int32_t first, const int fours)
 {
-    if (onto->q == NULL) {
-        onto->q_out[i] = q_sum;
-        onto->v_out[i] = v_sum;
-        return;
+    Four q_sum[FOURS] = {{0.0}}, v_sum[FOURS] = {{0.0}};
+    for (int j = 0; j < row->count; j++) {
+        const double *each = stepper->a[row->stage[j]] + first, of_q = row->weight[j][0], of_v = row->weight[j][1];
+        for (int k = 0; k < fours; k++) {
+            Four term;
+            memcpy(&term, each + LANES * k, sizeof term);
+            q_sum[k] += of_q * term;
+            v_sum[k] += of_v * term;
+        }
     }
-    onto->q_out[i] = onto->q[i] + (onto->drift * onto->v[i] + q_sum);
-    onto->v_out[i] = onto->v[i] + v_sum;
+    for (int k = 0; k < fours; k++, first += LANES) {
+        Four q = (h * h) * q_sum[k], v = h * v_sum[k];
+        if (onto->q != NULL) {
+            Four from_q, from_v;
+            memcpy(&from_q, onto->q + first, sizeof from_q);
+            memcpy(&from_v, onto->v + first, sizeof from_v);
+            q = from_q + (onto->drift * from_v + q);
+            v = from_v + v;
+        }
+        memcpy(onto->q_out + first, &q, sizeof q);
+        memcpy(onto->v_out + first, &v, sizeof v);
+    }
 }
 
-static inline __attribute__((always_inline)) void put_pairs(const Stepper *stepper, const Row *row, double h,
-                                                            const Onto *onto, int32_t first, const int pairs)
+/* The same of one entry, with both sums side by side. */
+static inline __attribute__((always_inline)) void combine_one(const Stepper *stepper, const Row *row, double h,
+                                                              const Onto *onto, int32_t i)
 {
-    Pair q_sum[PAIRS], v_sum[PAIRS];
-    sum_pairs(stepper, row, h, first, pairs, q_sum, v_sum);
-    for (int k = 0; k < 2 * pairs; k++)
-        put(onto, first + k, q_sum[k / 2][k % 2], v_sum[k / 2][k % 2]);
+    Pair sum = {0.0, 0.0};
+    for (int j = 0; j < row->count; j++) {
+        double term = stepper->a[row->stage[j]][i];
+        sum += row->weight[j] * (Pair){term, term};
+    }
+    sum *= (Pair){h * h, h};
+    if (onto->q != NULL) sum = (Pair){onto->q[i] + (onto->drift * onto->v[i] + sum[0]), onto->v[i] + sum[1]};
+    onto->q_out[i] = sum[0];
+    onto->v_out[i] = sum[1];
 }
 
-static inline __attribute__((always_inline)) void combine(const Stepper *stepper, const Row *row, double h,
-                                                          const Onto *onto)
+TINKER_VARIANTS static void combine(const Stepper *stepper, const Row *row, double h, const Onto *onto)
 {
     int32_t n = stepper->system->size, i = 0;
-    for (; i + BLOCK <= n; i += BLOCK)
-        put_pairs(stepper, row, h, onto, i, PAIRS);
-    if (i + BLOCK / 2 <= n) {
-        put_pairs(stepper, row, h, onto, i, PAIRS / 2);
-        i += BLOCK / 2;
-    }
-    for (; i < n; i++) {
-        Pair sum = sum_one(stepper, row, h, i);
-        put(onto, i, sum[0], sum[1]);
-    }
+    for (; i + FOURS * LANES <= n; i += FOURS * LANES)
+        combine_fours(stepper, row, h, onto, i, FOURS);
+    for (; i + LANES <= n; i += LANES)
+        combine_fours(stepper, row, h, onto, i, 1);
+    for (; i < n; i++)
+        combine_one(stepper, row, h, onto, i);
 }
 
 static void sum_powers(const Stepper *stepper, int stages, const double *weights, double h, const double *from,
