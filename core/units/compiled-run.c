@@ -5,7 +5,8 @@
 #include "units/compiled-private.h"
 
 #define LANES          64 /* of a block: all that is worked on stays in the first cache */
-#define SHORT_LANES    8  /* of the shortest one; others are multiples of it */
+#define PART           4  /* that a step works on side by side; the rest one by one */
+#define LEAST_PLACES   8
 #define MOST_REGISTERS 24 /* of blocks; programs that want more are worked out place by place */
 #define MOST_NUMBERS   64 /* that are the same for all places, likewise */
 
@@ -117,20 +118,26 @@ KEEP_LOOPS double tinker_compiled_value(const TinkerCompiled *compiled, const do
     return latest;
 }
 
+#define IN_LANE(i_, value_)                                                                                            \
+    {                                                                                                                  \
+        const double a = first[i_], b = second[i_], c = third[i_];                                                     \
+        (void)b, (void)c;                                                                                              \
+        to[i_] = (value_);                                                                                             \
+    }
 #define IN_BLOCK(kind_, value_)                                                                                        \
     case kind_:                                                                                                        \
-        for (int i = 0; i < count; i++) {                                                                              \
-            const double a = first[i], b = second[i], c = third[i];                                                    \
-            (void)b, (void)c;                                                                                          \
-            to[i] = (value_);                                                                                          \
-        }                                                                                                              \
+        for (int part = 0; part < parts; part += PART)                                                                 \
+            for (int i = part; i < part + PART; i++)                                                                   \
+                IN_LANE(i, value_)                                                                                     \
+        for (int i = parts; i < lanes; i++)                                                                            \
+            IN_LANE(i, value_)                                                                                         \
         break;
 
 /* No step writes what it reads. */
 __attribute__((always_inline)) static inline void run_block(const TinkerCompiled *compiled, double *const *entry,
                                                             int lanes)
 {
-    const int count = lanes & ~(SHORT_LANES - 1); /* which the compiler cannot know else */
+    const int parts = lanes / PART * PART;
     const TinkerStep *end = compiled->step + compiled->steps;
     for (const TinkerStep *at = compiled->step; at < end; at++) {
         const int kind = at->code / TINKER_LATEST_COUNT;
@@ -139,7 +146,7 @@ __attribute__((always_inline)) static inline void run_block(const TinkerCompiled
         switch (kind) {
             ARITHMETIC_STEPS(IN_BLOCK)
         default:
-            for (int i = 0; i < count; i++)
+            for (int i = 0; i < lanes; i++)
                 to[i] = other((TinkerOperation)(kind - TINKER_STEP_OTHER), first[i], second[i], third[i]);
         }
     }
@@ -179,14 +186,11 @@ static double *all_alike(Block *block, double value, int count)
     return column;
 }
 
-/* The last block ends with the last place, and works some out once more where their number is no multiple. */
 static void run_blocks(const TinkerCompiled *compiled, Block *block, const TinkerColumns *columns, double *results)
 {
     double **entry = block->entry, **number = entry + compiled->arguments;
     for (int first = 0, lanes; first < columns->count; first += lanes) {
-        lanes = MIN(LANES, (columns->count - first) / SHORT_LANES * SHORT_LANES);
-        lanes = MAX(lanes, SHORT_LANES);
-        first = MIN(first, columns->count - lanes);
+        lanes = MIN(LANES, columns->count - first);
         for (int i = 0; i < compiled->arguments; i++)
             if (columns->arguments[i] != NULL) entry[i] = (double *)columns->arguments[i] + first;
         for (int i = 0; columns->numbers != NULL && i < compiled->numbers; i++)
@@ -199,7 +203,7 @@ static void run_blocks(const TinkerCompiled *compiled, Block *block, const Tinke
 
 gboolean tinker_compiled_values(const TinkerCompiled *compiled, const TinkerColumns *columns, double *results)
 {
-    if (columns->count < SHORT_LANES || compiled->registers > MOST_REGISTERS || compiled->numbers > MOST_NUMBERS ||
+    if (columns->count < LEAST_PLACES || compiled->registers > MOST_REGISTERS || compiled->numbers > MOST_NUMBERS ||
         compiled->arguments > TINKER_TYPED_MOST_ARGUMENTS)
         return FALSE;
     Block block;
