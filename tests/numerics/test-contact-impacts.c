@@ -187,6 +187,75 @@ static void test_wedge(void)
     g_assert_cmpfloat(fabs(p[1]), <=, friction * p[0]);
 }
 
+/* Boxes between two walls: neighbours touch at two points, whose rows depend on one another, with friction that wedges
+ * them. */
+enum { BOXES = 12, POINTS = 2 * (BOXES + 1), ROWS = 2 * POINTS };
+
+/* Rows of a point at (x, y) of a box at the left and one at the right, which touch across; -1: a wall. */
+static void add_point(double rows[ROWS][3 * BOXES], int32_t point, const double at[2], const double places[BOXES][2],
+                      int32_t left, const double n[2])
+{
+    for (int side = 0; side < 2; side++) {
+        const int32_t box = left + side;
+        if (box < 0 || box == BOXES) continue;
+        const double sign = side == 0 ? 1 : -1, x = at[0] - places[box][0], y = at[1] - places[box][1];
+        double *normal = rows[2 * point] + 3 * box, *slide = rows[2 * point + 1] + 3 * box;
+        normal[0] = slide[1] = sign * -n[0];
+        normal[1] = sign * -n[1];
+        slide[0] = sign * n[1];
+        normal[2] = (x * normal[1] - y * normal[0]) / 0.2;
+        slide[2] = (x * slide[1] - y * slide[0]) / 0.2;
+    }
+}
+
+/* The laws hold for pivots alone, to 1e-7 of the largest velocity, however degenerate the problem. */
+static void test_pivot(void)
+{
+    g_autoptr(GRand) random = g_rand_new_with_seed(5);
+    for (int32_t round = 0; round < 200; round++) {
+        double rows[ROWS][3 * BOXES] = {0}, places[BOXES][2], v[3 * BOXES], mass[BOXES];
+        double w[ROWS * ROWS] = {0}, u[ROWS] = {0}, least[POINTS] = {0}, friction[POINTS], p[ROWS], after[ROWS];
+        double largest = 0;
+        for (int32_t i = 0; i < BOXES; i++) {
+            places[i][0] = 0.5 * i;
+            places[i][1] = g_rand_double_range(random, -0.1, 0.1);
+            mass[i] = g_rand_int_range(random, 1, 4);
+            for (int k = 0; k < 3; k++)
+                v[3 * i + k] = round % 2 ? g_rand_double_range(random, -1, 1) : k == 1 ? -0.1 : 0;
+        }
+        for (int32_t k = 0; k < POINTS; k++) {
+            const double angle = 0.1 * g_rand_int_range(random, -1, 2), n[2] = {cos(angle), sin(angle)};
+            const double at[2] = {0.5 * (k / 2) - 0.25, k % 2 ? 0.2 : -0.2};
+            add_point(rows, k, at, (const double(*)[2])places, k / 2 - 1, n);
+            friction[k] = 0.5 * g_rand_int_range(random, 1, 4);
+        }
+        for (int32_t i = 0; i < ROWS; i++)
+            for (int32_t c = 0; c < 3 * BOXES; c++) {
+                u[i] += rows[i][c] * v[c];
+                for (int32_t j = 0; j < ROWS; j++)
+                    w[i * ROWS + j] += rows[i][c] * rows[j][c] / mass[c / 3];
+            }
+        g_autofree double *room = g_new(double, tinker_impact_pivot_room(POINTS));
+        const TinkerImpact impact = {POINTS, w, u, NULL, friction, least};
+        g_assert_true(tinker_impact_pivot(&impact, room, p));
+        for (int32_t i = 0; i < ROWS; i++) {
+            after[i] = u[i];
+            for (int32_t j = 0; j < ROWS; j++)
+                after[i] += w[i * ROWS + j] * p[j];
+            largest = fmax(largest, fabs(u[i]));
+        }
+        for (int32_t k = 0; k < POINTS; k++) {
+            const double noise = 1e-6 * largest, pn = p[2 * k], pt = p[2 * k + 1], most = friction[k] * pn;
+            g_assert_cmpfloat(pn, >=, 0);
+            g_assert_cmpfloat(fabs(pt), <=, most * (1 + 1e-12));
+            g_assert_cmpfloat(after[2 * k], >=, -noise);
+            if (pn > noise) g_assert_cmpfloat(after[2 * k], <=, noise);
+            if (pt > noise - most) g_assert_cmpfloat(after[2 * k + 1], <=, noise);
+            if (pt < most - noise) g_assert_cmpfloat(after[2 * k + 1], >=, -noise);
+        }
+    }
+}
+
 int main(int argc, char **argv)
 {
     g_test_init(&argc, &argv, NULL);
@@ -197,5 +266,6 @@ int main(int argc, char **argv)
     g_test_add_func("/contact-laws/impact/scales", test_scales);
     g_test_add_func("/contact-laws/impact/degenerate", test_degenerate_impacts);
     g_test_add_func("/contact-laws/impact/wedge", test_wedge);
+    g_test_add_func("/contact-laws/impact/pivot", test_pivot);
     return g_test_run();
 }

@@ -1,5 +1,7 @@
 /* The dictionary holds, by rows, the basic unknowns as functions of the n + 1 others: basic = constant - row . others.
- * The columns of the inverse of the basis, which the lexicographic rule compares, are columns of it or unit vectors. */
+ * Laws of contact have many constants that are 0 or alike, so that unknowns fall to 0 at once and the path goes in
+ * circles, or into a ray by rounding: the constants are set apart before it, and the basis that it ends in is solved
+ * with the true ones. */
 #include "numerics/contact/complementarity.h"
 
 #include <math.h>
@@ -26,8 +28,9 @@ typedef struct {
 
 int64_t tinker_lcp_room(int32_t n)
 {
-    /* the dictionary, which the last system fits in too; scales, right-hand side; two lists of half as wide integers */
-    return (int64_t)n * (n + 2) + 5 * (int64_t)n + 4;
+    /* the dictionary, which the last system fits in too; scales, right-hand side, solution; two lists of half as wide
+     * integers */
+    return (int64_t)n * (n + 2) + 6 * (int64_t)n + 4;
 }
 
 static double *row_of(const Dictionary *self, int32_t row)
@@ -35,8 +38,9 @@ static double *row_of(const Dictionary *self, int32_t row)
     return self->rows + (int64_t)row * self->stride;
 }
 
-/* Every unknown is scaled so that its row and column have entries near 1. Powers of two: nothing is rounded. */
-static void fill(Dictionary *self, const double *matrix, const double *q)
+/* Every unknown is scaled so that its row and column have entries near 1, by powers of two: nothing is rounded. The
+ * constants are larger by one to two times `apart`, as chance would have it, the same each time. */
+static void fill(Dictionary *self, const double *matrix, const double *q, double apart)
 {
     int32_t n = self->n;
     double largest = 0;
@@ -51,12 +55,14 @@ static void fill(Dictionary *self, const double *matrix, const double *q)
         largest = MAX(largest, fabs(q[i]) * self->scale[i]);
     }
     double unit = largest > 0 ? 1 / tinker_power_of_two(largest) : 1;
+    uint64_t chance = 1;
     for (int32_t i = 0; i < n; i++) {
         double *row = row_of(self, i);
+        chance = chance * 6364136223846793005u + 1442695040888963407u;
         for (int32_t j = 0; j < n; j++)
             row[j] = -self->scale[i] * matrix[(int64_t)i * n + j] * self->scale[j];
         row[n] = -1;
-        row[n + 1] = self->scale[i] * q[i] * unit;
+        row[n + 1] = self->scale[i] * q[i] * unit + apart * (1 + (double)(chance >> 33) * 0x1p-31);
         self->basic[i] = i;
     }
     for (int32_t j = 0; j <= n; j++)
@@ -68,20 +74,6 @@ static int32_t find(const int32_t *list, int32_t count, int32_t unknown)
     for (int32_t i = 0; i < count; i++)
         if (list[i] == unknown) return i;
     return -1;
-}
-
-/* Whether row i leaves before row k, of which the ratios are equal: the next difference in the inverse of the basis. */
-static gboolean is_before(const Dictionary *self, int32_t i, int32_t k, int32_t entering)
-{
-    double of_i = row_of(self, i)[entering], of_k = row_of(self, k)[entering];
-    for (int32_t unknown = 0; unknown < self->n; unknown++) {
-        int32_t column = find(self->other, self->n + 1, unknown);
-        int32_t row = column < 0 ? find(self->basic, self->n, unknown) : -1;
-        double a = (column < 0 ? row == i : row_of(self, i)[column]) / of_i;
-        double b = (column < 0 ? row == k : row_of(self, k)[column]) / of_k;
-        if (fabs(a - b) > TINKER_SMALLEST_PIVOT * MAX(fabs(a), fabs(b)) + TINKER_SMALLEST_CONSTANT) return a < b;
-    }
-    return i < k;
 }
 
 /* The row whose unknown falls to 0 first where that of column `entering` grows; -1 where none does. */
@@ -98,8 +90,9 @@ static int32_t leaving_row(const Dictionary *self, int32_t entering)
             best = i;
             least = ratio;
         } else if (ratio <= least + tie) {
-            gboolean covering = self->basic[i] == 2 * self->n; /* it ends the path */
-            if (covering || (self->basic[best] != 2 * self->n && is_before(self, i, best, entering))) best = i;
+            /* the covering unknown ends the path; else the larger pivot is the safer one */
+            const gboolean ends = self->basic[best] == 2 * self->n;
+            if (self->basic[i] == 2 * self->n || (!ends && row[entering] > row_of(self, best)[entering])) best = i;
             least = MIN(least, ratio);
         }
     }
@@ -141,7 +134,7 @@ static TinkerLcpResult walk(Dictionary *self)
         leaving = leaving_row(self, entering);
         if (leaving < 0) {
             double covering = row_of(self, find(self->basic, n, 2 * n))[n + 1];
-            return fabs(covering) <= TINKER_LCP_MISS ? TINKER_LCP_SOLVED : TINKER_LCP_RAY;
+            return fabs(covering) <= TINKER_COVERS_NOTHING ? TINKER_LCP_SOLVED : TINKER_LCP_RAY;
         }
     }
     return TINKER_LCP_GAVE_UP;
@@ -205,10 +198,11 @@ static gboolean finish(Dictionary *self, const double *matrix, const double *q, 
 
 TinkerLcpResult tinker_lcp_solve(int32_t n, const double *matrix, const double *q, double *z, double *room)
 {
+    static const double apart[] = {TINKER_SET_APART, TINKER_SET_LITTLE_APART};
     Dictionary self = {.n = n, .stride = n + 2, .rows = room};
     self.scale = room + (int64_t)n * self.stride;
-    double *right = self.scale + n;
-    self.basic = (int32_t *)(void *)(right + 2 * n);
+    double *right = self.scale + n, *found = right + 2 * n;
+    self.basic = (int32_t *)(void *)(found + n);
     self.other = self.basic + n;
     gboolean negative = FALSE;
     for (int32_t i = 0; i < n; i++) {
@@ -216,8 +210,16 @@ TinkerLcpResult tinker_lcp_solve(int32_t n, const double *matrix, const double *
         negative |= !(q[i] >= 0);
     }
     if (!negative) return TINKER_LCP_SOLVED;
-    fill(&self, matrix, q);
-    TinkerLcpResult result = walk(&self);
-    if (result == TINKER_LCP_SOLVED && !finish(&self, matrix, q, z, right)) result = TINKER_LCP_GAVE_UP;
+    TinkerLcpResult result = TINKER_LCP_RAY;
+    gboolean ended = FALSE;
+    for (gsize i = 0; i < G_N_ELEMENTS(apart); i++) {
+        fill(&self, matrix, q, apart[i]);
+        const TinkerLcpResult walked = walk(&self);
+        const gboolean ends = walked == TINKER_LCP_SOLVED, holds = ends && finish(&self, matrix, q, found, right);
+        if (holds || (ends && !ended)) memcpy(z, found, (size_t)n * sizeof *z);
+        if (holds) return TINKER_LCP_SOLVED;
+        if (walked != TINKER_LCP_RAY) result = TINKER_LCP_GAVE_UP;
+        ended |= ends;
+    }
     return result;
 }

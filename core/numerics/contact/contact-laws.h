@@ -82,6 +82,12 @@ TinkerContactResult tinker_impact_solve(const TinkerImpact *impact, double *impu
  * sweeps of projected Gauss-Seidel come. `offset` is room for 2m. FALSE where a number is none. */
 int tinker_impact_sweep(const TinkerImpact *impact, double *offset, double *impulses);
 
+/* Solves the laws of impact with `least` by pivots alone (Lemke's method), to about 1e-7 of the largest velocity. For
+ * contacts that wedge, where sweeps come to no end. `room` holds tinker_impact_pivot_room doubles. FALSE where nothing
+ * satisfies them. Allots nothing. */
+size_t tinker_impact_pivot_room(int32_t count);
+int tinker_impact_pivot(const TinkerImpact *impact, double *room, double *impulses);
+
 /* Impact with `least` and `motion`, for a step that asks for no more than its method makes of it: impulses that keep
  * the laws to rounding; or but for what stresses that move nothing still lack (1e-5 of the largest velocity at most),
  * so met; or as near as some hundred solves come. `room` holds tinker_impact_guess_room doubles. Allots nothing. */

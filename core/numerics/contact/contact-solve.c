@@ -10,7 +10,7 @@
 #include "numerics/solve/power-of-two.h"
 
 /* Doubles on the stack, enough for 5 contacts. */
-#define SMALL_ROOM 1280
+#define SMALL_ROOM 1300
 
 /* Contacts whose states may all be tried. */
 #define FEW 4
@@ -18,6 +18,8 @@
 /* Of proximal points: where small ones leave W too nearly singular, large ones take more passes. */
 static const double softenings[] = {1e-6, 3e-5, 1e-3};
 #define MOST_PASSES 20
+/* Of pivots alone. */
+static const double softest[] = {0, 1e-10, 1e-9, 1e-8};
 
 #define MOST_SWEEPS    2000
 #define SWEEPS_FIRST   400 /* before Lemke's method, whose path grows long where contacts are more than */
@@ -297,6 +299,18 @@ static TinkerContactResult solve_many(const TinkerContactProblem *problem, doubl
     return tinker_contact_solve(&written, p);
 }
 
+/* What was found, in the units of the problem; nothing where there is no answer. */
+static void write_found(const TinkerContactWork *work, const TinkerContactProblem *problem, gboolean any, double *p)
+{
+    for (int32_t k = 0; k < problem->count; k++) {
+        const double normal = tinker_contact_normal(&work->problem, work->p, k);
+        const gboolean pushes = any && normal > 0;
+        const double factor = work->scale[k] * work->unit, most = problem->friction[k] * normal;
+        p[2 * k] = pushes ? work->p[2 * k] * factor : 0;
+        p[2 * k + 1] = pushes ? CLAMP(work->p[2 * k + 1], -most, most) * factor : 0;
+    }
+}
+
 TinkerContactResult tinker_contact_solve(const TinkerContactProblem *problem, double *p)
 {
     int32_t m = problem->count;
@@ -309,12 +323,35 @@ TinkerContactResult tinker_contact_solve(const TinkerContactProblem *problem, do
     TinkerContactWork work;
     set_up(&work, problem, large != NULL ? large : small);
     TinkerContactResult result = solve_several(&work, work.state + m);
-    for (int32_t k = 0; k < m; k++) {
-        const double normal = tinker_contact_normal(&work.problem, work.p, k);
-        gboolean pushes = result == TINKER_CONTACT_SOLVED && normal > 0;
-        double factor = work.scale[k] * work.unit, most = problem->friction[k] * normal;
-        p[2 * k] = pushes ? work.p[2 * k] * factor : 0;
-        p[2 * k + 1] = pushes ? CLAMP(work.p[2 * k + 1], -most, most) * factor : 0;
-    }
+    write_found(&work, problem, result == TINKER_CONTACT_SOLVED, p);
     return result == TINKER_CONTACT_SOLVED && work.blocked ? TINKER_CONTACT_NO_ACCELERATION : result;
+}
+
+size_t tinker_impact_pivot_room(int32_t count)
+{
+    return room_of(count) + 2 * (gsize)count;
+}
+
+/* Whether what pivots found keeps the laws nearly: to rounding, or but for how far constants were set apart. */
+static gboolean is_near(TinkerContactWork *work)
+{
+    if (settle(work, TINKER_LOOSE)) return TRUE;
+    double *swept = work->centre;
+    memcpy(swept, work->p, 2 * (gsize)work->problem.count * sizeof *swept);
+    return tinker_contact_sweep(&work->problem, swept) <= TINKER_PIVOTED;
+}
+
+int tinker_impact_pivot(const TinkerImpact *impact, double *room, double *impulses)
+{
+    const TinkerContactProblem problem = {impact->count, impact->delassus, room, impact->friction, NULL,
+                                          NULL,          impact->bearer};
+    for (int32_t i = 0; i < 2 * impact->count; i++)
+        room[i] = impact->velocity[i] - (i % 2 == 0 ? impact->least[i / 2] : 0);
+    TinkerContactWork work;
+    set_up(&work, &problem, room + 2 * impact->count);
+    gboolean found = FALSE;
+    for (gsize i = 0; i < G_N_ELEMENTS(softest) && isfinite(work.unit) && !found; i++)
+        found = tinker_contact_by_complementarity(&work, softest[i], NULL) && is_near(&work);
+    if (found) write_found(&work, &problem, TRUE, impulses);
+    return found;
 }

@@ -8,6 +8,14 @@
 #define TINKER_SMALLEST_PIVOT 1e-12
 /* No unit; of constants near 1: smaller ones are taken as 0 by the rule that orders pivots. */
 #define TINKER_SMALLEST_CONSTANT 1e-13
+/* No unit; of the largest constant: so far constants are set apart, so that no two unknowns fall to 0 at once; and
+ * where what that leads to is no solution with the true ones. */
+#define TINKER_SET_APART        1e-10
+#define TINKER_SET_LITTLE_APART 1e-12
+/* No unit; of the largest constant: a covering unknown that is smaller at the end of a path is rounding. */
+#define TINKER_COVERS_NOTHING 1e-8
+/* No unit; of the largest velocity: what pivots alone find may miss a law by this. */
+#define TINKER_PIVOTED 1e-7
 /* No unit; of the terms that meet in an inequality: a solution may miss it by this; if none keeps to that, by this
  * share of the largest constant. */
 #define TINKER_LCP_MISS 1e-11
