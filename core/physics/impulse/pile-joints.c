@@ -105,16 +105,27 @@ void tinker_pile_joints_begin(TinkerPile *pile, double h)
     tinker_pile_joints_solve(pile);
 }
 
-void tinker_pile_joints_solve(TinkerPile *pile)
+/* NULL: rest. */
+static void bring(TinkerPile *pile, const double *wanted)
 {
     TinkerPileJoints *joints = pile->joints;
     const TinkerConstraints *all = &pile->model->constraints;
     gather(pile, pile->bodies[0].v, sizeof(TinkerPileBody) / sizeof(double));
     tinker_constraints_rows_times(all, joints->v, joints->asked);
     for (int32_t row = 0; row < all->rows; row++)
-        joints->asked[row] = joints->has[row] ? joints->wanted[row] - joints->asked[row] : 0;
+        joints->asked[row] = joints->has[row] ? (wanted != NULL ? wanted[row] : 0) - joints->asked[row] : 0;
     tinker_constraints_change_speeds(pile->model, joints->asked, joints->v);
     scatter(pile);
+}
+
+void tinker_pile_joints_solve(TinkerPile *pile)
+{
+    bring(pile, pile->joints->wanted);
+}
+
+void tinker_pile_joints_answer(TinkerPile *pile)
+{
+    bring(pile, NULL);
 }
 
 void tinker_pile_joints_strike(TinkerPile *pile)

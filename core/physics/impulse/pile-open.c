@@ -92,6 +92,7 @@ TinkerPile *tinker_pile_new(const TinkerContacts *contacts)
     pile->joined = tinker_contacts_joined_blocks(model);
     pile->joints = tinker_pile_joints_new(pile);
     pile->direct = tinker_pile_direct_new(pile);
+    pile->wedged = tinker_pile_wedged_new(pile);
     if (pile->joints != NULL) pile->direct->tied = tinker_pile_tied_new(pile);
     return pile;
 }
@@ -111,5 +112,6 @@ void tinker_pile_free(TinkerPile *pile)
     g_hash_table_unref(pile->joined);
     tinker_pile_joints_free(pile->joints);
     tinker_pile_direct_free(pile->direct);
+    tinker_pile_wedged_free(pile->wedged);
     g_free(pile);
 }

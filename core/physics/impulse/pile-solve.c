@@ -35,19 +35,6 @@
 #define SWEEPS_FIRST 3
 #define MORE_SWEEPS  3
 
-static inline void push(TinkerPileBody *a, TinkerPileBody *b, const TinkerPileTouch *touch,
-                        const TinkerPilePoint *point, double normal, double sliding)
-{
-    const double x = normal * touch->normal[0] + sliding * touch->normal[1];
-    const double y = normal * touch->normal[1] - sliding * touch->normal[0];
-    a->v[0] += a->inverse_mass * x;
-    a->v[1] += a->inverse_mass * y;
-    a->v[2] += a->inverse_mass * (normal * point->arm[0] + sliding * point->slide[0]);
-    b->v[0] -= b->inverse_mass * x;
-    b->v[1] -= b->inverse_mass * y;
-    b->v[2] -= b->inverse_mass * (normal * point->arm[1] + sliding * point->slide[1]);
-}
-
 /* One touch: first its normals, then friction within what they allow; answers the largest change of a speed. */
 static double sweep_touch(const TinkerPileTouch *touch, TinkerPilePoint *points, TinkerPileBody *a, TinkerPileBody *b)
 {
@@ -59,7 +46,7 @@ static double sweep_touch(const TinkerPileTouch *touch, TinkerPilePoint *points,
         const double wanted = point->normal - point->give_normal * u, normal = wanted > 0 ? wanted : 0;
         const double by = normal - point->normal;
         point->normal = normal;
-        push(a, b, touch, point, by, 0);
+        tinker_pile_push(a, b, touch, point, by, 0);
         most = MAX(most, fabs(by) * point->take_normal);
     }
     for (int32_t k = 0; k < touch->count; k++) {
@@ -69,7 +56,7 @@ static double sweep_touch(const TinkerPileTouch *touch, TinkerPilePoint *points,
         const double wanted = point->sliding - point->give_slide * u, sliding = CLAMP(wanted, -limit, limit);
         const double by = sliding - point->sliding;
         point->sliding = sliding;
-        push(a, b, touch, point, 0, by);
+        tinker_pile_push(a, b, touch, point, 0, by);
         most = MAX(most, fabs(by) * point->take_slide);
     }
     return most;
@@ -98,7 +85,7 @@ static void apply_all(TinkerPile *pile)
         TinkerPileBody *a = &pile->bodies[touch->body[0]], *b = &pile->bodies[touch->body[1]];
         for (int32_t k = 0; k < touch->count; k++) {
             const TinkerPilePoint *point = &pile->points[touch->first + k];
-            push(a, b, touch, point, point->normal, point->sliding);
+            tinker_pile_push(a, b, touch, point, point->normal, point->sliding);
         }
     }
 }
@@ -149,7 +136,7 @@ static void go_on(TinkerPile *pile, double share)
             if (share == 0) continue;
             point->normal += normal;
             point->sliding += sliding;
-            push(a, b, touch, point, normal, sliding);
+            tinker_pile_push(a, b, touch, point, normal, sliding);
         }
     }
 }
@@ -177,6 +164,14 @@ static double leeway(gsize sweeps)
     return sweeps <= SWEEPS_NEAR ? 1 : sweeps <= SWEEPS_ROUGH ? NEARLY : ROUGHLY;
 }
 
+/* From impulses that something else has found. */
+static void begin_anew(TinkerPile *pile)
+{
+    memcpy(pile->bodies, pile->without, (gsize)pile->shapes * sizeof(TinkerPileBody));
+    apply_all(pile);
+    memset(pile->along, 0, 4 * (gsize)pile->point_count * sizeof(double));
+}
+
 /* FALSE: not within the sweeps that a step may take. What the first sweep solves need not be followed. */
 static gboolean sweep_all(TinkerPile *pile, double enough, double share_of_sweeps)
 {
@@ -195,7 +190,9 @@ static gboolean sweep_all(TinkerPile *pile, double enough, double share_of_sweep
         if (changed <= leeway(count) * enough) return TRUE;
         if (count >= most) {
             pile->left = changed;
-            return FALSE;
+            const gboolean solved = tinker_pile_solve_wedged(pile, leeway(count) * enough);
+            begin_anew(pile);
+            return solved;
         }
         if (count == 1) {
             memset(pile->along, 0, 4 * points * sizeof(double));
@@ -203,9 +200,7 @@ static gboolean sweep_all(TinkerPile *pile, double enough, double share_of_sweep
         }
         if (count == direct && tinker_pile_has_direct(pile)) {
             if (!tinker_pile_solve_directly(pile, enough)) take_noted(pile);
-            memcpy(pile->bodies, pile->without, (gsize)pile->shapes * sizeof(TinkerPileBody));
-            apply_all(pile);
-            memset(pile->along, 0, 4 * points * sizeof(double));
+            begin_anew(pile);
             last = 0;
             direct *= MORE_SWEEPS;
             continue;

@@ -4,6 +4,7 @@
  *     touch (pile-touch.c)  where they touch in this one, and what that asks for
  *     solve (pile-solve.c)  the impulses, by sweeps along the contacts that start from those of the last step,
  *           (pile-direct.c) or of stacks and chains by one factor
+ *           (pile-wedged.c) or of what wedges by pivots
  *     joints (pile-joints.c) what constraints on these bodies ask for, in each sweep
  *           (pile-tied.c)   and in the factor
  *     step (pile-step.c)    velocities, positions, books
@@ -55,6 +56,7 @@ typedef struct {
     double normal[2];
     int32_t first, count; /* of its points, behind one another */
     int32_t near;
+    int32_t next; /* of the same group of bodies (pile-wedged.c) */
 } TinkerPileTouch;
 
 /* What is known of a point from the last step. */
@@ -119,6 +121,9 @@ typedef struct {
     TinkerPileTied *tied; /* NULL: no constraints */
 } TinkerPileDirect;
 
+/* What contacts that wedge are solved for with (pile-wedged.c). */
+typedef struct TinkerPileWedged TinkerPileWedged;
+
 typedef struct {
     const TinkerContacts *contacts;
     TinkerModel *model;
@@ -156,6 +161,7 @@ typedef struct {
     double *along;   /* 4 by point: the direction that sweeps go on along, and the impulses before one */
     gsize along_size;
     TinkerPileDirect *direct;
+    TinkerPileWedged *wedged;
 } TinkerPile;
 
 /* NULL where no body has a shape that meets others. (transfer full) */
@@ -179,6 +185,8 @@ void tinker_pile_joints_free(TinkerPileJoints *joints);
 void tinker_pile_joints_begin(TinkerPile *pile, double h);
 /* Brings the bodies' velocities to what is wanted. */
 void tinker_pile_joints_solve(TinkerPile *pile);
+/* Brings them to rest across every row. */
+void tinker_pile_joints_answer(TinkerPile *pile);
 /* From here on what strikes, with all that is tied to it, keeps J v, and the bodies' velocities are brought there; or
  * no row lets anything move across it. */
 void tinker_pile_joints_strike(TinkerPile *pile);
@@ -223,6 +231,12 @@ void tinker_pile_direct_forget(TinkerPileDirect *direct);
 TinkerPileDirect *tinker_pile_direct_new(const TinkerPile *pile);
 void tinker_pile_direct_free(TinkerPileDirect *direct);
 
+/* The impulses of groups of bodies in which a point misses its laws by more than `enough` (m/s), by pivots; the bodies
+ * do not follow, and stand still. FALSE: there is a group that is too large, or has no impulses that keep the laws. */
+gboolean tinker_pile_solve_wedged(TinkerPile *pile, double enough);
+TinkerPileWedged *tinker_pile_wedged_new(const TinkerPile *pile);
+void tinker_pile_wedged_free(TinkerPileWedged *wedged);
+
 /* Replaces the bodies' velocities by those that part what overlaps within a step h, and nothing else. FALSE: nothing
  * overlaps. */
 gboolean tinker_pile_part(TinkerPile *pile, double h);
@@ -231,6 +245,20 @@ gboolean tinker_pile_part(TinkerPile *pile, double h);
 static inline double tinker_pile_row(double x, double y, const double arm[2], const double *a, const double *b)
 {
     return x * (a[0] - b[0]) + y * (a[1] - b[1]) + arm[0] * a[2] - arm[1] * b[2];
+}
+
+/* Lets impulses of a point act on the first and the second of its bodies. */
+static inline void tinker_pile_push(TinkerPileBody *a, TinkerPileBody *b, const TinkerPileTouch *touch,
+                                    const TinkerPilePoint *point, double normal, double sliding)
+{
+    const double x = normal * touch->normal[0] + sliding * touch->normal[1];
+    const double y = normal * touch->normal[1] - sliding * touch->normal[0];
+    a->v[0] += a->inverse_mass * x;
+    a->v[1] += a->inverse_mass * y;
+    a->v[2] += a->inverse_mass * (normal * point->arm[0] + sliding * point->slide[0]);
+    b->v[0] -= b->inverse_mass * x;
+    b->v[1] -= b->inverse_mass * y;
+    b->v[2] -= b->inverse_mass * (normal * point->arm[1] + sliding * point->slide[1]);
 }
 
 /* u_n of a point, for these velocities. */
