@@ -27,11 +27,21 @@ static void across(const double a[2], double out[2])
     out[1] = x;
 }
 
-static void turn(double angle, const double a[2], double out[2])
+/* How a frame is turned. */
+typedef struct {
+    double cosine, sine;
+} Turned;
+
+static Turned turned_by(double angle)
 {
-    const double c = cos(angle), s = sin(angle), x = a[0], y = a[1];
-    out[0] = c * x - s * y;
-    out[1] = s * x + c * y;
+    return (Turned){cos(angle), sin(angle)};
+}
+
+static void turn(Turned by, const double a[2], double out[2])
+{
+    const double x = a[0], y = a[1];
+    out[0] = by.cosine * x - by.sine * y;
+    out[1] = by.sine * x + by.cosine * y;
 }
 
 /* What the functions of a pair consist of -------------------------------------------------------------------------- */
@@ -200,10 +210,10 @@ typedef struct {
     double place[2], arm[2], turned[2], velocity[2], bend[2];
 } Point;
 
-static Point point_at(const TinkerBodyPose *pose, const double local[2])
+static Point point_at(const TinkerBodyPose *pose, Turned turned, const double local[2])
 {
     Point point = {0};
-    turn(pose->angle, local, point.arm);
+    turn(turned, local, point.arm);
     across(point.arm, point.turned);
     for (int k = 0; k < 2; k++) {
         point.place[k] = (k == 0 ? pose->x : pose->y) + point.arm[k];
@@ -229,22 +239,24 @@ static double rate_of(const double row[6], const TinkerBodyPose *tip, const Tink
            row[5] * seat->rate;
 }
 
+/* p: the tip. */
 static void measure_edge(const TinkerGapFunction *function, const TinkerBodyPose *tip, const TinkerBodyPose *seat,
-                         TinkerGap *gap)
+                         const Point *p, TinkerGap *gap)
 {
-    const Point p = point_at(tip, function->tip), c = point_at(seat, function->seat);
-    const double d[2] = {p.place[0] - c.place[0], p.place[1] - c.place[1]}, r = function->tip_radius;
-    const double moves[2] = {p.velocity[0] - c.velocity[0], p.velocity[1] - c.velocity[1]};
-    const double bend[2] = {p.bend[0] - c.bend[0], p.bend[1] - c.bend[1]}, w = seat->rate;
+    const Turned turned = turned_by(seat->angle);
+    const Point c = point_at(seat, turned, function->seat);
+    const double d[2] = {p->place[0] - c.place[0], p->place[1] - c.place[1]}, r = function->tip_radius;
+    const double moves[2] = {p->velocity[0] - c.velocity[0], p->velocity[1] - c.velocity[1]};
+    const double bend[2] = {p->bend[0] - c.bend[0], p->bend[1] - c.bend[1]}, w = seat->rate;
     double *n = gap->normal;
-    turn(seat->angle, function->normal, n);
+    turn(turned, function->normal, n);
     const double t[2] = {n[1], -n[0]};
     gap->gap = dot(n, d) - r;
     gap->along = dot(t, d);
     gap->rolled = gap->along + r * (tip->angle - seat->angle);
     gap->period = 0;
-    fill_row(gap->row[0], n, dot(n, p.turned), dot(n, c.turned) + dot(t, d));
-    fill_row(gap->row[1], t, dot(t, p.turned) + r, dot(t, c.turned) - gap->gap);
+    fill_row(gap->row[0], n, dot(n, p->turned), dot(n, c.turned) + dot(t, d));
+    fill_row(gap->row[1], t, dot(t, p->turned) + r, dot(t, c.turned) - gap->gap);
     gap->normal_speed = rate_of(gap->row[0], tip, seat);
     gap->tangential_speed = rate_of(gap->row[1], tip, seat);
     gap->along_speed = gap->tangential_speed - r * (tip->rate - w);
@@ -253,25 +265,26 @@ static void measure_edge(const TinkerGapFunction *function, const TinkerBodyPose
 }
 
 static void measure_round(const TinkerGapFunction *function, const TinkerBodyPose *tip, const TinkerBodyPose *seat,
-                          TinkerGap *gap)
+                          const Point *p, TinkerGap *gap)
 {
-    const Point p = point_at(tip, function->tip), c = point_at(seat, function->seat);
-    const double d[2] = {p.place[0] - c.place[0], p.place[1] - c.place[1]}, far = hypot(d[0], d[1]);
-    const double moves[2] = {p.velocity[0] - c.velocity[0], p.velocity[1] - c.velocity[1]};
-    const double bend[2] = {p.bend[0] - c.bend[0], p.bend[1] - c.bend[1]};
+    const Turned turned = turned_by(seat->angle);
+    const Point c = point_at(seat, turned, function->seat);
+    const double d[2] = {p->place[0] - c.place[0], p->place[1] - c.place[1]}, far = hypot(d[0], d[1]);
+    const double moves[2] = {p->velocity[0] - c.velocity[0], p->velocity[1] - c.velocity[1]};
+    const double bend[2] = {p->bend[0] - c.bend[0], p->bend[1] - c.bend[1]};
     const double r = function->tip_radius, s = function->seat_radius, reach = r + s;
     double *n = gap->normal;
     n[0] = far > 0 ? d[0] / far : 0;
     n[1] = far > 0 ? d[1] / far : 1;
     const double t[2] = {n[1], -n[0]}, direction = atan2(n[1], n[0]);
     double middle[2];
-    turn(seat->angle, function->normal, middle);
+    turn(turned, function->normal, middle);
     gap->gap = far - reach;
     gap->along = -reach * atan2(middle[0] * n[1] - middle[1] * n[0], dot(middle, n));
     gap->rolled = r * tip->angle + s * seat->angle - reach * direction;
     gap->period = 2 * G_PI * reach;
-    fill_row(gap->row[0], n, dot(n, p.turned), dot(n, c.turned));
-    fill_row(gap->row[1], t, dot(t, p.turned) + r, dot(t, c.turned) - s);
+    fill_row(gap->row[0], n, dot(n, p->turned), dot(n, c.turned));
+    fill_row(gap->row[1], t, dot(t, p->turned) + r, dot(t, c.turned) - s);
     gap->normal_speed = rate_of(gap->row[0], tip, seat);
     gap->tangential_speed = rate_of(gap->row[1], tip, seat);
     const double slides = dot(t, moves);
@@ -284,11 +297,11 @@ void tinker_gap_measure(const TinkerGapFunction *function, const TinkerBodyPose 
                         TinkerGap *gap)
 {
     const TinkerBodyPose *tip = function->tip_of == 0 ? first : second, *seat = function->tip_of == 0 ? second : first;
+    const Point p = point_at(tip, turned_by(tip->angle), function->tip);
     if (function->round)
-        measure_round(function, tip, seat, gap);
+        measure_round(function, tip, seat, &p, gap);
     else
-        measure_edge(function, tip, seat, gap);
-    const Point p = point_at(tip, function->tip);
+        measure_edge(function, tip, seat, &p, gap);
     for (int k = 0; k < 2; k++)
         gap->point[k] = p.place[k] - (function->tip_radius + function->inset) * gap->normal[k];
 }
@@ -298,15 +311,16 @@ gboolean tinker_gap_is_over(const TinkerGapFunction *function, const TinkerBodyP
 {
     const TinkerBodyPose *tip = function->tip_of == 0 ? first : second;
     (void)second;
+    const Turned turned = turned_by(tip->angle);
     double above[2];
     const double beyond = fabs(gap->along) - function->half_width;
     if (beyond > tolerance || (beyond > -tolerance && gap->along * gap->along_speed > 0)) return FALSE;
     for (int k = 0; k < 2; k++) {
         double side[2];
-        turn(tip->angle, function->sides[k], side);
+        turn(turned, function->sides[k], side);
         if (dot(side, gap->normal) < -TINKER_NOT_INTO) return FALSE;
     }
     if (function->above[0] == 0 && function->above[1] == 0) return TRUE;
-    turn(tip->angle, function->above, above);
+    turn(turned, function->above, above);
     return dot(gap->normal, above) < 0;
 }
