@@ -71,6 +71,42 @@ static gboolean pair_may_touch(const TinkerContacts *contacts, const TinkerTouch
     return fmin(apart_by_reach(contacts, pair, q_from), apart_by_reach(contacts, pair, q_to)) <= travel;
 }
 
+/* How far (rad) a body turns while nothing of the state moves farther than `travel` (m): turns count in metres, by
+ * their gyration. */
+static double turn_within(const TinkerContacts *contacts, int32_t point, double travel)
+{
+    const TinkerTurn *turn = point < contacts->model->bodies ? tinker_model_turn(contacts->model, point) : NULL;
+    return turn != NULL ? travel / turn->gyration : 0;
+}
+
+/* Whether a gap may reach 0 while nothing of the state in the points moves farther than `travel` (m). With P of the
+ * tip, C of the seat on a body at X, which turns by at most a: |gap'| - |gap| is at most |P' - P| + |C' - C| +
+ * a |P' - X'|. What is far below an edge stays below it as what is far above stays above. */
+static gboolean gap_may_close(const TinkerContacts *contacts, int32_t number, double travel)
+{
+    const TinkerPlate *plate = &contacts->plates[number];
+    const TinkerTouchingPair *pair = plate->pair;
+    const TinkerPoint *at[2];
+    double turns[2], moves[2];
+    for (int k = 0; k < 2; k++) {
+        const int32_t point = pair->point[k];
+        at[k] = &contacts->model->point[point];
+        turns[k] = turn_within(contacts, point, travel);
+        moves[k] = point < contacts->model->bodies ? travel + turns[k] * pair->outline[k]->radius : 0;
+    }
+    const int tip = plate->gap->tip_of;
+    const double apart = hypot(at[0]->x - at[1]->x, at[0]->y - at[1]->y) + pair->outline[tip]->radius;
+    const double most = moves[0] + moves[1] + turns[1 - tip] * (apart + moves[0] + moves[1]);
+    return !(fabs(tinker_contact_gap_place(contacts, number).gap) > most + TINKER_TOUCHING);
+}
+
+/* Whether a step that ends in the state in the points may close a gap, or it has to be watched whatever it does. */
+static gboolean is_of_interest(const TinkerContactRun *self, const TinkerContactPair *each, double travel)
+{
+    if (self->contacts->plates[each->plate].moving || tinker_contact_run_leaves(self, each)) return TRUE;
+    return gap_may_close(self->contacts, each->plate, 2 * travel);
+}
+
 /* Gap functions of a body. */
 static void find_near_gaps(TinkerContactRun *self, int32_t body, const double *q_from, const double *q_to,
                            double travel, guint next)
@@ -82,7 +118,8 @@ static void find_near_gaps(TinkerContactRun *self, int32_t body, const double *q
         const gboolean near = pair_may_touch(contacts, pair, q_from, q_to, travel);
         for (; k < end; k++) {
             const TinkerContactPair each = {body, k, -1};
-            if (near && !is_closed(contacts, body, k, next)) g_array_append_val(self->near, each);
+            if (near && !is_closed(contacts, body, k, next) && is_of_interest(self, &each, travel))
+                g_array_append_val(self->near, each);
         }
     }
 }

@@ -406,6 +406,7 @@ TinkerStatus tinker_contact_run_look(TinkerContactRun *self, TinkerStepReport *r
     }
     status = tinker_model_set_time(self->model, run->state.t);
     if (status != TINKER_OK) return status;
+    tinker_model_set_state(self->model, run->q, run->v);
     tinker_contact_run_find_near(self, from, run->q, travel);
     status = tinker_contact_run_search(self, self->from.t, run->state.t, &found, &time, &slope);
     if (status != TINKER_OK) return status;
