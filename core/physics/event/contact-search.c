@@ -118,6 +118,21 @@ static gboolean falls_soon(const TinkerContactRun *self, const TinkerTrigger *tr
     return values[0] >= -(shapes ? TINKER_TOUCHING : tinker_contact_run_closed_gap(self));
 }
 
+/* How fast what is left of a top grows, towards the end that the trigger is of; where that is nothing, whether it is to
+ * grow. What rolls moves along without slipping, too. */
+static double rate_from_end(TinkerContactRun *self, const TinkerTrigger *trigger, double from)
+{
+    const TinkerContactPlace place = tinker_contact_place(self->contacts, trigger->body, trigger->plate);
+    const double sign = trigger->kind == TINKER_TRIGGER_END ? -1 : 1, rate = sign * place.along_speed;
+    const TinkerPlate *plate = &self->contacts->plates[trigger->plate];
+    double along[2], *v;
+    if (fabs(rate) > TINKER_STILL * self->run->system.speed || plate->gap == NULL || plate->gap->rolls) return rate;
+    if (ask_at_time(self, from, &v) != TINKER_OK) return rate;
+    tinker_contacts_relative_acceleration(
+        self->contacts, tinker_contacts_closed(self->contacts, (guint)trigger->closed), self->force, along);
+    return sign * along[1];
+}
+
 /* Whether it rises first, by less than the polynomial resolves. Of what has a rate of its own that says it: a
  * difference of values may be rounding. */
 static gboolean rises_first(TinkerContactRun *self, const TinkerTrigger *trigger, double from, double to)
@@ -126,17 +141,30 @@ static gboolean rises_first(TinkerContactRun *self, const TinkerTrigger *trigger
     if (value_at(self, from, trigger, &at_first) != TINKER_OK) return FALSE;
     if (trigger->kind == TINKER_TRIGGER_GAP && trigger->row >= 0)
         return tinker_constraints_own_rate(self->model, trigger->row) < 0;
-    const gboolean end = trigger->kind == TINKER_TRIGGER_END, beginning = trigger->kind == TINKER_TRIGGER_BEGINNING;
-    if (trigger->kind == TINKER_TRIGGER_GAP || end || beginning) {
-        const TinkerContactPlace place = tinker_contact_place(self->contacts, trigger->body, trigger->plate);
-        return (end ? -place.along_speed : beginning ? place.along_speed : place.normal_speed) > 0;
-    }
+    if (trigger->kind == TINKER_TRIGGER_END || trigger->kind == TINKER_TRIGGER_BEGINNING)
+        return rate_from_end(self, trigger, from) > 0;
+    if (trigger->kind == TINKER_TRIGGER_GAP)
+        return tinker_contact_place(self->contacts, trigger->body, trigger->plate).normal_speed > 0;
     if (trigger->kind == TINKER_TRIGGER_SPEED) {
         double *v;
         const TinkerTrigger starting = {TINKER_TRIGGER_STARTING, trigger->body, trigger->plate, trigger->closed, -1, 0};
         return ask_at_time(self, from, &v) == TINKER_OK && tinker_trigger_value(self, &starting) > 0;
     }
     return value_at(self, from + TINKER_FALLS_AT_ONCE * (to - from), trigger, &soon) == TINKER_OK && soon > at_first;
+}
+
+/* Whether a place or a speed comes up from clearly below its level, as that of a contact that was taken for one that
+ * stops behind a blow and then slides the other way: what a closer look would find is the same rise. One that turns
+ * back below the level, or starts at 0 but for rounding, has to be looked at. A force below its level is an event. */
+static gboolean comes_up(const TinkerContactRun *self, const TinkerTrigger *trigger, const double *values)
+{
+    double most = 0;
+    for (int32_t k = 0; k <= self->degree; k++)
+        most = fmax(most, fabs(values[k]));
+    if (!is_of_place(trigger) || !(values[0] < fmin(trigger->level, -TINKER_NOTHING * most))) return FALSE;
+    for (int32_t k = 1; k <= self->degree && values[k - 1] <= trigger->level; k++)
+        if (!(values[k] >= values[k - 1])) return FALSE;
+    return TRUE;
 }
 
 /* The first fall of one trigger between two times and before one that is known; INFINITY for none, NAN where it has to
@@ -146,8 +174,10 @@ static double first_fall(TinkerContactRun *self, const TinkerTrigger *trigger, c
 {
     double places[MOST_FALLS];
     if (tinker_step_least(self->degree, values) > trigger->level) return INFINITY;
-    if (falls_soon(self, trigger, values) && meets(self, trigger, from))
-        return rises_first(self, trigger, from, to) ? NAN : from;
+    if (falls_soon(self, trigger, values) && meets(self, trigger, from)) {
+        if (!rises_first(self, trigger, from, to)) return from;
+        if (!comes_up(self, trigger, values)) return NAN;
+    }
     if (known < to) { /* most that fall do so later than what was found first: that is sooner seen than when */
         const double rounding = 4 * DBL_EPSILON * (fabs(from) + fabs(to)),
                      place = (known - from + rounding) / (to - from);
