@@ -166,6 +166,7 @@ static gboolean run_scene(TinkerScene *scene, Watch *watch, double tolerance, GE
     if (model == NULL) return FALSE;
     TinkerRunOptions options = tinker_run_options_of(scene);
     options.tolerance = tolerance;
+    options.duration = crowd->duration;
     options.interval = crowd->duration / SAMPLES;
     options.estimate = FALSE;
     options.cancelled = is_late;

@@ -1,6 +1,6 @@
-/* Crowds of bodies in a box, run by events: `crowds [--scenes N] [--seed N] [--most N] [--patience S] [--verbose]
- * [--print]` writes a line for each that stops, overlaps, gains energy or does not balance its books, and fails where
- * there is one. */
+/* Crowds of bodies in a box, run by events: `crowds [--scenes N] [--seed N] [--most N] [--until S] [--patience S]
+ * [--verbose] [--print]` writes a line for each that stops, overlaps, gains energy or does not balance its books, and
+ * fails where there is one. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -20,7 +20,7 @@
 
 typedef struct {
     gint scenes, seed, most;
-    double patience;
+    double until, patience;
     gboolean verbose, print, compare;
 } Options;
 
@@ -59,6 +59,7 @@ static void judge(TinkerCatalogue *catalogue, const Options *options, guint32 se
     g_autoptr(GError) error = NULL;
     g_autoptr(Crowd) crowd = crowd_new(seed, options->most);
     CrowdRun run;
+    crowd->duration = fmin(crowd->duration, options->until);
     if (options->print) {
         printf("%s", crowd->text);
         return;
@@ -89,6 +90,7 @@ static gboolean read_options(int argc, char **argv, Options *options)
         {"scenes", 0, 0, G_OPTION_ARG_INT, &options->scenes, "how many", "N"},
         {"seed", 0, 0, G_OPTION_ARG_INT, &options->seed, "of the first of them", "N"},
         {"most", 0, 0, G_OPTION_ARG_INT, &options->most, "bodies", "N"},
+        {"until", 0, 0, G_OPTION_ARG_DOUBLE, &options->until, "of the motion, at the most", "SECONDS"},
         {"patience", 0, 0, G_OPTION_ARG_DOUBLE, &options->patience, "of processor time for a run", "SECONDS"},
         {"verbose", 0, 0, G_OPTION_ARG_NONE, &options->verbose, "a line for each", NULL},
         {"compare", 0, 0, G_OPTION_ARG_NONE, &options->compare, "with a tighter tolerance", NULL},
@@ -106,7 +108,7 @@ static gboolean read_options(int argc, char **argv, Options *options)
 
 int main(int argc, char **argv)
 {
-    Options options = {.scenes = 10, .seed = 1, .most = CROWD_MOST_BODIES, .patience = 60};
+    Options options = {.scenes = 10, .seed = 1, .most = CROWD_MOST_BODIES, .until = INFINITY, .patience = 60};
     Tally tally = {.overlap = -INFINITY};
     if (!read_options(argc, argv, &options)) return 2;
     TinkerCatalogue *catalogue = test_build_catalogue();

@@ -174,12 +174,24 @@ static gboolean is_met_parting(const TinkerContactChange *change)
     return FALSE;
 }
 
+/* How well places are known behind a blow (m): what had just opened and is thrown back is put onto its plate from the
+ * little that it was away, which moves what it touches by as much; that is met so far below its plate. */
+static double place_noise(const TinkerContactChange *change)
+{
+    double noise = fmax(change->tolerance, tinker_contact_run_place_noise(change->run));
+    for (guint i = 0; i < change->touches->len; i++) {
+        const TinkerTouch *at = tinker_touch(change, i);
+        if (at->leaves || tinker_change_is_trigger(change, at)) noise = fmax(noise, fabs(at->place.gap));
+    }
+    return noise;
+}
+
 /* What rises to no more than the tolerance, or than the method resolves, by the accelerations that act. */
 static gboolean note_least_rise(TinkerContactChange *change, double *pairs)
 {
     double scale;
     if (!tinker_change_accelerations(change, pairs, &scale)) return FALSE;
-    change->least_rise = 2 * sqrt(scale * fmax(change->tolerance, tinker_contact_run_place_noise(change->run)));
+    change->least_rise = 2 * sqrt(scale * place_noise(change));
     return TRUE;
 }
 
