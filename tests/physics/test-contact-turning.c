@@ -148,6 +148,22 @@ static void test_rod_falls(void)
     g_assert_cmpfloat(peak, >, 0.3);
 }
 
+/* A disc slides off a box without friction: it leaves the box's end, and not the box its own, in either order. */
+static void test_leaves_the_end_of_a_body(void)
+{
+    static const char
+        disc[] = "{'type': 'disc', 'name': 'Disc', 'radius': 0.1, 'position': [0.1, 0.5],"
+                 " 'velocity': [0.8, 0], " CONTACT_SMOOTH "}",
+        box[] = "{'type': 'box', 'name': 'Box', 'width': 1, 'height': 0.4, 'position': [0, 0.2], " CONTACT_SMOOTH "}";
+    for (int order = 0; order < 2; order++) {
+        g_autoptr(PhysicsRun) run =
+            physics_run(&(PhysicsOptions){.duration = 0.6, .columns = "Disc.x"},
+                        CONTACT_WEIGHT CONTACT_FLOOR ", 'width': 20, " CONTACT_SMOOTH "}, %s, %s",
+                        order == 0 ? disc : box, order == 0 ? box : disc);
+        contact_assert_event(run, "end", "Disc, Box", 0.5, 1e-9);
+    }
+}
+
 static void over_end(double t, const double *y, double *rate, const void *data)
 {
     rate[0] = y[1];
@@ -251,6 +267,8 @@ static void add_tests(void)
     g_test_add_func("/physics/contact-turning/rod-lands", test_rod_lands);
     g_test_add_func("/physics/contact-turning/rod-falls", test_rod_falls);
     g_test_add_func("/physics/contact-turning/rolls-over-an-end", test_rolls_over_an_end);
+    g_test_add_func("/physics/contact-turning/leaves-the-end-of-a-body", test_leaves_the_end_of_a_body);
+    g_test_add_func("/turning-contacts/leaves-the-end-of-a-body", test_leaves_the_end_of_a_body);
     g_test_add_func("/physics/contact-turning/tips-or-slides", test_tips_or_slides);
     g_test_add_func("/physics/contact-turning/passes-from-below", test_passes_from_below);
     g_test_add_func("/physics/contact-turning/tumbles", test_tumbles);

@@ -27,6 +27,20 @@ static gboolean was_told(TinkerContactChange *change, const char *kind, const Ti
     return FALSE;
 }
 
+/* "A, B" of a body and what it touches (transfer full). What leaves an end is what has the tip, whichever body was
+ * placed first; off a support goes the body. */
+static char *names_of(const TinkerContactChange *change, const char *kind, const TinkerTouch *of)
+{
+    const TinkerModel *model = change->model;
+    const TinkerPlate *plate = &change->contacts->plates[of->contact.plate];
+    const char *body = tinker_scene_block_name(model->scene, model->body_blocks[of->contact.body]),
+               *other = tinker_scene_block_name(model->scene, plate->block);
+    if (tinker_contacts_is_pin(change->contacts, &of->contact)) return g_strdup(other);
+    const gboolean turned_round = g_str_equal(kind, "end") && plate->gap != NULL && plate->gap->tip_of == 1 &&
+                                  plate->pair->point[1] < model->bodies;
+    return turned_round ? g_strdup_printf("%s, %s", other, body) : g_strdup_printf("%s, %s", body, other);
+}
+
 void tinker_change_add_event(TinkerContactChange *change, const char *kind, const TinkerTouch *of)
 {
     TinkerScene *scene = change->model->scene;
@@ -36,12 +50,7 @@ void tinker_change_add_event(TinkerContactChange *change, const char *kind, cons
         return;
     }
     if (was_told(change, kind, change->contacts->plates[of->contact.plate].pair)) return;
-    const char *second = tinker_scene_block_name(scene, change->contacts->plates[of->contact.plate].block);
-    const gboolean pin = tinker_contacts_is_pin(change->contacts, &of->contact);
-    g_autofree char *names =
-        pin ? g_strdup(second)
-            : g_strdup_printf("%s, %s", tinker_scene_block_name(scene, change->model->body_blocks[of->contact.body]),
-                              second);
+    g_autofree char *names = names_of(change, kind, of);
     tinker_island_run_add_event(change->run->run, kind, names);
     const GPtrArray *events = change->run->run->summary.events;
     ((TinkerEvent *)g_ptr_array_index(events, events->len - 1))->turns =
