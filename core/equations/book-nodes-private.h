@@ -18,7 +18,7 @@ typedef struct {
 } TinkerBookNode;
 
 /* The nodes from one time to another, ascending, with about so many panels; pieces end at the cuts (of double,
- * ascending). (transfer full) */
-GArray *tinker_book_nodes(double from, double to, const GArray *cuts, int panels);
+ * ascending), where velocities may jump or do not. (transfer full) */
+GArray *tinker_book_nodes(double from, double to, const GArray *cuts, gboolean jump, int panels);
 
 #endif

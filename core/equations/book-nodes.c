@@ -27,7 +27,7 @@ static void add_panel(GArray *nodes, double from, double to)
     }
 }
 
-GArray *tinker_book_nodes(double from, double to, const GArray *cuts, int panels)
+GArray *tinker_book_nodes(double from, double to, const GArray *cuts, gboolean jump, int panels)
 {
     GArray *nodes = g_array_new(FALSE, FALSE, sizeof(TinkerBookNode));
     double begin = from;
@@ -38,8 +38,8 @@ GArray *tinker_book_nodes(double from, double to, const GArray *cuts, int panels
         const int count = MAX(1, (int)ceil(panels * (end - begin) / (to - from)));
         for (int k = 0; k < count; k++)
             add_panel(nodes, begin + (end - begin) * k / count, begin + (end - begin) * (k + 1) / count);
-        if (!last) add(nodes, end - BEFORE * DBL_EPSILON * fabs(end), 0, TINKER_NODE_BEFORE);
-        add(nodes, end, 0, last ? TINKER_NODE_END : TINKER_NODE_AFTER);
+        if (!last && jump) add(nodes, end - BEFORE * DBL_EPSILON * fabs(end), 0, TINKER_NODE_BEFORE);
+        if (last || jump) add(nodes, end, 0, last ? TINKER_NODE_END : TINKER_NODE_AFTER);
         begin = end;
     }
     return nodes;

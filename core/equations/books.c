@@ -7,11 +7,13 @@
 #include "equations/book-keeper-private.h"
 #include "physics/compile/compile.h"
 #include "physics/model/breaks.h"
+#include "physics/record/sample-times.h"
 #include "physics/run/accurate-run.h"
 #include "scene/frame/frame.h"
 
 #define FIRST_PANELS 8
 #define MOST_PANELS  4096
+#define MOST_STEPS   32768 /* each a piece of its own; of more the panels average */
 #define STANDS_STILL 1e-11 /* of the scales, from one number of panels to twice as many */
 #define CLOSEST_CUTS 1e-9  /* of the interval: cuts that are nearer are one */
 
@@ -68,8 +70,10 @@ static GPtrArray *instants_of(TinkerSimulation *simulation)
     return instants;
 }
 
-/* Runs to the last node; what happened is left in `instants` (NULL: nobody asks) (transfer full). */
-static gboolean run(TinkerBookKeeper *keeper, const TinkerRunOptions *options, GPtrArray **instants, GError **error)
+/* Runs to the last node; what happened is left in `instants` (transfer full), and the step in `step`, 0 where there is
+ * no one step (both NULL: nobody asks). */
+static gboolean run(TinkerBookKeeper *keeper, const TinkerRunOptions *options, GPtrArray **instants, double *step,
+                    GError **error)
 {
     TinkerRunOptions with = *options;
     g_autofree double *times = g_new(double, keeper->nodes->len);
@@ -84,6 +88,10 @@ static gboolean run(TinkerBookKeeper *keeper, const TinkerRunOptions *options, G
     const TinkerSampleTaker taker = {look, begin_again, keeper};
     const gboolean done = simulation != NULL && tinker_accurate_run(&simulation, keeper->columns, &taker, error);
     if (done && instants != NULL) *instants = instants_of(simulation);
+    if (done && step != NULL) {
+        const TinkerSummary *summary = tinker_simulation_summary(simulation);
+        *step = summary->adaptive ? 0 : summary->step;
+    }
     g_clear_pointer(&simulation, tinker_simulation_free);
     g_clear_pointer(&keeper->model, tinker_model_free);
     return done;
@@ -119,6 +127,20 @@ static GArray *cuts_of(TinkerScene *scene, const TinkerBooks *books, const GPtrA
     return cuts;
 }
 
+/* Contact as impulses has one force from each step's start to its end, and velocities that go straight between them.
+ * (transfer full) */
+static GArray *steps_of(const TinkerBooks *books, double step)
+{
+    GArray *cuts = g_array_new(FALSE, FALSE, sizeof(double));
+    const TinkerTimeGrid grid = tinker_time_grid(step);
+    const double least = CLOSEST_CUTS * (books->to - books->from);
+    for (gint64 k = (gint64)floor(books->from / step);; k++) {
+        const double time = tinker_time_grid_at(&grid, k);
+        if (!(books->to - time > least)) return cuts;
+        if (time - books->from > least) g_array_append_val(cuts, time);
+    }
+}
+
 /* How far the entries are from those of fewer panels, in units of the scales. */
 static double change_of(const TinkerBooks *books, const GArray *before)
 {
@@ -135,13 +157,14 @@ static double change_of(const TinkerBooks *books, const GArray *before)
     return change;
 }
 
-static gboolean keep(TinkerBookKeeper *keeper, const TinkerRunOptions *options, const GArray *cuts, GError **error)
+static gboolean keep(TinkerBookKeeper *keeper, const TinkerRunOptions *options, const GArray *cuts, gboolean jump,
+                     GError **error)
 {
     g_autoptr(GArray) before = NULL;
     for (int panels = FIRST_PANELS; panels <= MOST_PANELS; panels *= 2) {
         g_clear_pointer(&keeper->nodes, g_array_unref);
-        keeper->nodes = tinker_book_nodes(keeper->books->from, keeper->books->to, cuts, panels);
-        if (!run(keeper, options, NULL, error)) return FALSE;
+        keeper->nodes = tinker_book_nodes(keeper->books->from, keeper->books->to, cuts, jump, panels);
+        if (!run(keeper, options, NULL, NULL, error)) return FALSE;
         tinker_book_conclude(keeper);
         if (change_of(keeper->books, before) <= STANDS_STILL) return TRUE;
         g_clear_pointer(&before, g_array_unref);
@@ -183,10 +206,13 @@ TinkerBooks *tinker_books_new(TinkerScene *scene, const TinkerRunOptions *option
     add_bodies(&keeper, frame, bodies);
     /* once for what happens, and then between that */
     g_autoptr(GPtrArray) instants = NULL;
-    keeper.nodes = tinker_book_nodes(from, to, none, 1);
-    gboolean done = run(&keeper, options, &instants, error);
+    double step = 0;
+    keeper.nodes = tinker_book_nodes(from, to, none, FALSE, 1);
+    gboolean done = run(&keeper, options, &instants, &step, error);
     keeper.instants = instants;
-    if (done) done = (cuts = cuts_of(scene, books, instants, error)) != NULL && keep(&keeper, options, cuts, error);
+    const gboolean by_steps = done && options->impulses && step > 0 && (to - from) / step <= MOST_STEPS;
+    if (done) cuts = by_steps ? steps_of(books, step) : cuts_of(scene, books, instants, error);
+    done = cuts != NULL && keep(&keeper, options, cuts, !by_steps, error);
     g_array_unref(keeper.nodes);
     return done ? g_steal_pointer(&books) : NULL;
 }

@@ -22,6 +22,10 @@
           "{\"type\": \"mass\", \"name\": \"Ball\", \"mass\": 3, \"position\": [0, 0.8], \"width\": 0, \"height\": "   \
           "0}")
 
+#define DISC_DROPPED                                                                                                   \
+    SCENE("{\"type\": \"support\", \"name\": \"Floor\", \"height\": 0, \"width\": 9, \"restitution\": 0.5},"           \
+          "{\"type\": \"disc\", \"name\": \"Disc\", \"mass\": 3, \"radius\": 0.1, \"position\": [0, 0.9]}")
+
 /* Level, at rest: the rod does not pull, and the bob falls. */
 #define PENDULUM                                                                                                       \
     SCENE("{\"type\": \"support\", \"name\": \"Pivot\", \"solid\": false},"                                            \
@@ -102,6 +106,20 @@ static void test_bounce(CliFixture *fixture, gconstpointer data)
     g_assert_cmpstr(cJSON_GetObjectItem(cJSON_GetArrayItem(cJSON_GetObjectItem(root, "impacts"), 0), "by")->valuestring,
                     ==, "Floor");
     assert_numbers(root, expected, G_N_ELEMENTS(expected));
+    cJSON_Delete(root);
+}
+
+/* As impulses a blow is a force over the step that it falls into, wherever books begin and end. */
+static void test_bounce_as_impulse(CliFixture *fixture, gconstpointer data)
+{
+    static const Expected expected[] = {{"momentum/residual", 0}, {"energy/residual", 0}};
+    cJSON *root = json_of(fixture, DISC_DROPPED,
+                          "books @scene.json --from 0.12345 --to 0.5 --contacts impulse --step 0.01 --as json");
+    assert_numbers(root, expected, G_N_ELEMENTS(expected));
+    const double gained = number_at(root, "momentum/momentum/1/1") - number_at(root, "momentum/momentum/0/1");
+    const double floor = number_at(root, "momentum/impulses/Floor/1");
+    g_assert_cmpfloat(floor, >, 10);
+    g_assert_cmpfloat(fabs(floor - gained - 30 * (0.5 - 0.12345)), <, 1e-9);
     cJSON_Delete(root);
 }
 
@@ -258,6 +276,7 @@ int main(int argc, char **argv)
     g_test_init(&argc, &argv, NULL);
     cli_test_add("/cli/books/throw", test_throw);
     cli_test_add("/cli/books/bounce", test_bounce);
+    cli_test_add("/cli/books/bounce-as-impulse", test_bounce_as_impulse);
     cli_test_add("/cli/books/pendulum", test_pendulum);
     cli_test_add("/cli/books/pages", test_pages);
     cli_test_add("/cli/books/diagram", test_diagram);
