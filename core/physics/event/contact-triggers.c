@@ -119,23 +119,22 @@ double tinker_trigger_value(const TinkerContactRun *self, const TinkerTrigger *t
     if (trigger->kind == TINKER_TRIGGER_LEAVING) return parting_acceleration(self, trigger);
     if (trigger->kind == TINKER_TRIGGER_STARTING) return starting_acceleration(self, trigger);
     if (trigger->row >= 0) return row_value(self, trigger);
-    TinkerContactPlace place = tinker_contact_place(contacts, trigger->body, trigger->plate);
-    if (trigger->kind == TINKER_TRIGGER_GAP) return place.gap;
-    const TinkerContact *contact = tinker_contacts_closed(contacts, (guint)trigger->closed);
-    const TinkerPlate *plate = &contacts->plates[trigger->plate];
+    const TinkerContact *contact =
+        trigger->closed >= 0 ? tinker_contacts_closed(contacts, (guint)trigger->closed) : NULL;
+    if (trigger->kind == TINKER_TRIGGER_NORMAL) return contact->normal;
+    if (trigger->kind == TINKER_TRIGGER_FORWARD) return friction_left(contacts, contact, 1);
+    if (trigger->kind == TINKER_TRIGGER_BACKWARD) return friction_left(contacts, contact, -1);
+    const TinkerContactPlace place = tinker_contact_place(contacts, trigger->body, trigger->plate);
+    const double half_width = contacts->plates[trigger->plate].half_width;
     switch (trigger->kind) {
-    case TINKER_TRIGGER_NORMAL:
-        return contact->normal;
-    case TINKER_TRIGGER_FORWARD:
-        return friction_left(contacts, contact, 1);
-    case TINKER_TRIGGER_BACKWARD:
-        return friction_left(contacts, contact, -1);
+    case TINKER_TRIGGER_GAP:
+        return place.gap;
     case TINKER_TRIGGER_SPEED:
         return contact->mode == TINKER_CONTACT_SLIP_FORWARD ? place.tangential_speed : -place.tangential_speed;
     case TINKER_TRIGGER_END:
-        return plate->half_width - place.along;
+        return half_width - place.along;
     default:
-        return plate->half_width + place.along;
+        return half_width + place.along;
     }
 }
 
