@@ -252,10 +252,19 @@ static gboolean *groups_near(const TinkerContactRun *self)
     return asked;
 }
 
+/* Counts the changes that follow on one another at one instant, each later than the one before by a shortest step. */
+static void note_instant(TinkerContactRun *self)
+{
+    const double t = self->run->state.t;
+    self->at_once = fabs(t - self->changed) <= TINKER_SAME_INSTANT * fabs(t) ? self->at_once + 1 : 0;
+    self->changed = t;
+}
+
 gboolean tinker_contact_run_change(TinkerContactRun *self, const TinkerTrigger *trigger, double tolerance, double slow,
                                    GError **error)
 {
     double reach = fmax(tolerance, 2 * TINKER_TOUCHING); /* of the other side of a guide */
+    note_instant(self);
     if (tinker_model_set_time(self->model, self->run->state.t) != TINKER_OK)
         return tinker_island_run_fail(self->run, self->model->failure, error);
     tinker_model_set_state(self->model, self->run->state.q, self->run->state.v);

@@ -117,6 +117,8 @@ struct _TinkerContactRun {
     TinkerStepStart start;           /* of the step in progress */
     gsize closed_room;
     TinkerContactNeighbours neighbours;
+    double changed;  /* s: when something changed last */
+    guint at_once;   /* changes before, at the same instant */
     double *quiet_x; /* coordinates of the system, where ... */
     double quiet;    /* ... no plate was nearer to any body than this; 0 where one moves */
 };

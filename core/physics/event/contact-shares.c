@@ -6,6 +6,17 @@
 #include "physics/event/contact-change-private.h"
 #include "physics/island/island-run.h"
 
+/* Changes at one instant: so many do not end by themselves. */
+#define MANY_AT_ONCE 8
+/* What presses least is to press by so much of what presses most, and where that leads nowhere by so many times less.
+ */
+#define LARGEST_LEAST 0.1
+#define LESS          0.1
+#define PASSES_EACH   40
+#define MOST_PASSES   120
+/* Of the limit of sticking. */
+#define SHORT_OF_SLIPPING 0.99
+
 static gboolean keeps_laws(const TinkerContacts *contacts, const TinkerContact *contact)
 {
     double most = tinker_contact_surface(contacts, contact->body, contact->plate).static_friction * contact->normal;
@@ -57,6 +68,57 @@ static gboolean try_share(TinkerContactChange *change, void (*share)(TinkerConta
     return FALSE;
 }
 
+/* Moves the share of one contact to where it presses by no less than `least` (N) and is a little short of slipping. */
+static void press(const TinkerContacts *contacts, TinkerContact *contact, double least)
+{
+    const double most = tinker_contact_surface(contacts, contact->body, contact->plate).static_friction;
+    contact->base_normal = fmax(contact->normal, least);
+    if (contact->mode != TINKER_CONTACT_STICK) return;
+    const double bound = SHORT_OF_SLIPPING * most * contact->base_normal;
+    contact->base_friction = CLAMP(contact->friction, -bound, bound);
+}
+
+/* Works the forces out, nearest to the shares; whether they keep the laws, and everything presses by half of `least`.
+ */
+static gboolean presses_all(TinkerContactChange *change, double least)
+{
+    TinkerContacts *contacts = change->contacts;
+    const TinkerState *state = &change->run->run->state;
+    tinker_contacts_take_shares(contacts);
+    gboolean all = tinker_contact_run_look_at(change->run, state->t, state->q, state->v, NULL) == TINKER_OK;
+    for (guint i = 0; all && i < contacts->closed->len; i++) {
+        const TinkerContact *contact = tinker_contacts_closed(contacts, i);
+        if (contacts->group[contact->body] != change->group || tinker_contacts_resists(contacts, contact)) continue;
+        all = keeps_laws(contacts, contact) && contact->normal >= 0.5 * least;
+    }
+    return all;
+}
+
+/* A share in which everything presses. The laws gave one at an edge of those there are, where something presses no more
+ * or is about to slip; if forces change so that it falls over that edge at once, another edge follows, and on without
+ * end. Between the edges: by turns to what presses, and to what the motion asks for, as near to it as can be. Source:
+ * the method of alternating projections, H. H. Bauschke, J. M. Borwein, SIAM Review 38 (1996) 367-426. */
+static gboolean share_within(TinkerContactChange *change)
+{
+    TinkerContacts *contacts = change->contacts;
+    g_autofree TinkerContact *kept = g_memdup2(contacts->closed->data, contacts->closed->len * sizeof(TinkerContact));
+    double least = 0;
+    for (guint i = 0; i < contacts->closed->len; i++)
+        if (contacts->group[kept[i].body] == change->group) least = fmax(least, kept[i].base_normal);
+    for (int pass = 0; least > 0 && pass < MOST_PASSES; pass++) {
+        if (pass % PASSES_EACH == 0) least *= pass == 0 ? LARGEST_LEAST : LESS;
+        for (guint i = 0; i < contacts->closed->len; i++) {
+            TinkerContact *contact = tinker_contacts_closed(contacts, i);
+            if (contacts->group[contact->body] == change->group && !tinker_contacts_resists(contacts, contact))
+                press(contacts, contact, least);
+        }
+        if (presses_all(change, least)) return TRUE;
+    }
+    memcpy(contacts->closed->data, kept, contacts->closed->len * sizeof(TinkerContact));
+    tinker_contacts_take_shares(contacts);
+    return FALSE;
+}
+
 gboolean tinker_change_shares_load(const TinkerContactChange *change)
 {
     const TinkerContacts *contacts = change->run->contacts;
@@ -72,6 +134,7 @@ gboolean tinker_change_shares_load(const TinkerContactChange *change)
 gboolean tinker_change_share_load(TinkerContactChange *change)
 {
     if (try_share(change, share_evenly)) return TRUE;
+    if (change->run->at_once >= MANY_AT_ONCE && share_within(change)) return TRUE;
     try_share(change, share_by_load);
     return FALSE;
 }
