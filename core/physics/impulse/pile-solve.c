@@ -23,11 +23,6 @@
 #define POINTS_A_STEP 100000
 #define LEAST_SWEEPS  20
 #define MOST_SWEEPS   200
-/* With constraints it may be more of a few points. */
-#define MOST_SWEEPS_JOINED 2000
-/* There a slope that grows no more than this is gone on along, too: what joints and friction wedge has directions in
- * which a sweep changes as much as the last one, until some point lets go. */
-#define STEADY 1.1
 /* Of these, how many part what overlaps; and how many solve either of two problems, where something strikes. */
 #define PARTING    0.2
 #define ONE_OF_TWO 0.5
@@ -150,14 +145,6 @@ static void make_room(TinkerPile *pile)
     pile->along = g_new(double, pile->along_size);
 }
 
-/* How much of the last direction is gone on along, by what this sweep and the one before it changed. */
-static double share_of(const TinkerPile *pile, double now, double last)
-{
-    if (!(last > 0)) return 0;
-    if (now < last) return now / last;
-    return pile->joints != NULL && now < STEADY * last ? 1 : 0;
-}
-
 static double leeway(gsize sweeps)
 {
     if (sweeps == 1) return STILL_SOLVED;
@@ -176,8 +163,7 @@ static void begin_anew(TinkerPile *pile)
 static gboolean sweep_all(TinkerPile *pile, double enough, double share_of_sweeps)
 {
     const gsize points = (gsize)MAX(pile->point_count, 1);
-    const gsize all =
-        CLAMP(POINTS_A_STEP / points, LEAST_SWEEPS, pile->joints != NULL ? MOST_SWEEPS_JOINED : MOST_SWEEPS);
+    const gsize all = CLAMP(POINTS_A_STEP / points, LEAST_SWEEPS, MOST_SWEEPS);
     const gsize most = (gsize)(share_of_sweeps * (double)all);
     gsize direct = SWEEPS_FIRST;
     double last = 0;
@@ -205,7 +191,8 @@ static gboolean sweep_all(TinkerPile *pile, double enough, double share_of_sweep
             direct *= MORE_SWEEPS;
             continue;
         }
-        const double now = change_of(pile), share = share_of(pile, now, last);
+        /* how much of the last direction is gone on along */
+        const double now = change_of(pile), share = last > 0 && now < last ? now / last : 0;
         last = now;
         if (count + 1 < most) go_on(pile, share);
     }
