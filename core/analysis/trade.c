@@ -22,14 +22,7 @@ static GPtrArray *all_integrators(TinkerCatalogue *catalogue)
     GPtrArray *all = g_ptr_array_new();
     for (const TinkerIntegrator *const *each = tinker_integrator_builtins(); *each != NULL; each++)
         g_ptr_array_add(all, (gpointer)*each);
-    g_autoptr(GPtrArray) libraries = tinker_catalogue_libraries(catalogue);
-    g_autoptr(GPtrArray) ids = tinker_libraries_integrators(libraries);
-    for (guint i = 0; i < ids->len; i++) {
-        const char *id = g_ptr_array_index(ids, i);
-        const TinkerIntegrator *found =
-            tinker_integrator_builtin(id) == NULL ? tinker_catalogue_integrator(catalogue, id, NULL) : NULL;
-        if (found != NULL) g_ptr_array_add(all, (gpointer)found);
-    }
+    g_ptr_array_extend_and_steal(all, tinker_plugin_methods(catalogue));
     return all;
 }
 

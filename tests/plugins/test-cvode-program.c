@@ -141,6 +141,32 @@ static void test_rounding_of_stiff_spring(void)
     }
 }
 
+/* Where a damper of 1e12 N s/m holds a length, nobody waits for explicit steps of 1e-12 s: the motion is that on a rod,
+ * but for g / 1e12 of its length a second. */
+static void test_automatic_where_damped(void)
+{
+    static const char *const holders[] = {"{\"type\": \"rod\"",
+                                          "{\"type\": \"spring\", \"stiffness\": 25, \"ends\": [\"Wall\", \"M\"]}, "
+                                          "{\"type\": \"damper\", \"damping\": 1e12"};
+    const char *options[] = {NULL};
+    double angle[G_N_ELEMENTS(holders)];
+    g_autofree char *folder = new_folder();
+    for (gsize i = 0; i < G_N_ELEMENTS(holders); i++) {
+        g_autofree char *text = g_strdup_printf(
+            "{\"tinker\": 1, \"run\": {\"duration\": 2, \"interval\": 1}, \"blocks\": [{\"type\": \"gravity\"}, "
+            "{\"type\": \"support\", \"name\": \"Wall\", \"solid\": false}, "
+            "{\"type\": \"mass\", \"name\": \"M\", \"position\": [1, -1]}, %s, \"ends\": [\"Wall\", \"M\"]}]}",
+            holders[i]);
+        g_autofree char *scene = scene_file(folder, text);
+        g_autoptr(TestSceneRun) run = test_scene_run(scene, options);
+        const gsize last = run->record->rows - 1;
+        angle[i] = atan2(test_table_value(run->record, last, "M.x"), -test_table_value(run->record, last, "M.y"));
+        g_remove(scene);
+    }
+    g_assert_cmpfloat_with_epsilon(angle[1], angle[0], 2e-6);
+    g_rmdir(folder);
+}
+
 /* What the belt, at 1 m/s, gave to the mass on it by the end, at 2 s, in a scene with this mass and spring. */
 static double work_of_belt(const char *mass, const char *spring)
 {
@@ -251,6 +277,7 @@ int main(int argc, char **argv)
     g_test_add_func("/plugins/cvode/program", test_program);
     g_test_add_func("/plugins/cvode/many-rods", test_many_rods);
     g_test_add_func("/plugins/cvode/rounding-of-stiff-spring", test_rounding_of_stiff_spring);
+    g_test_add_func("/plugins/cvode-program/automatic-where-damped", test_automatic_where_damped);
     g_test_add_func("/plugins/cvode/belt", test_belt);
     g_test_add_func("/plugins/cvode/contacts", test_contacts);
     g_test_add_func("/plugins/cvode/shown", test_shown);

@@ -26,6 +26,9 @@
 #define HELD_ENERGY_HASTE 10.0
 /* Stiff: stability asks for this many times the steps that accuracy does. */
 #define STIFF 3.0
+/* Damping this many times faster than all else, and explicit steps this many times as dear: for another kind of method.
+ */
+#define HELD_FAST 1000.0
 /* A step that is chosen for an accuracy is at most this share of the stable one. */
 #define WELL_STABLE 0.9
 /* An exact solution is taken at up to this many times the cost of an approximation that meets the tolerance. */
@@ -110,6 +113,11 @@ static void explain_automatic(TinkerDecision *decision, const TinkerRunOptions *
     if (text == NULL) return;
     if (method->flags & TINKER_INTEGRATOR_LINEAR)
         g_string_append(text, _("the motion is linear: its exact solution is right to rounding, at any step"));
+    else if ((method->flags & TINKER_INTEGRATOR_IMPLICIT) && tinker_method_is_adaptive(method))
+        g_string_append_printf(text,
+                               _("stiff: damping at %.3g 1/s would force an explicit method to far smaller steps than "
+                                 "what moves needs; %s, which a plugin brings, is stable at any step"),
+                               forecast->damping_max, method->id);
     else if (method->flags & TINKER_INTEGRATOR_IMPLICIT)
         g_string_append_printf(text,
                                _("stiff: %.3g %s would force an explicit method to far smaller steps than what moves "
@@ -158,6 +166,31 @@ static void explain_holding(const TinkerDecision *decision)
                       "the phase would drift with the square of time"));
 }
 
+/* Where dampers hold something so fast that explicit steps would be spent on it alone, a plugin's implicit method takes
+ * the run over, if there is one: it is stable however strong the damping. What swings as fast is another matter: such
+ * a method follows it no faster than an explicit one. */
+static void take_damped_method(const TinkerIsland *island, const TinkerRunOptions *options,
+                               const TinkerForecast *forecast, TinkerDecision *decision)
+{
+    const guint32 implicit = TINKER_INTEGRATOR_ADAPTIVE | TINKER_INTEGRATOR_IMPLICIT;
+    const double others = fmax(fmax(forecast->omega_max, forecast->drive), forecast->speed_of_change);
+    if (!forecast->known || island->linear != NULL || island->model->constraints.rows > 0) return;
+    if (!(forecast->damping_max > HELD_FAST * others)) return;
+    if (!(decision->choice.method->flags & TINKER_INTEGRATOR_EXPLICIT)) return;
+    g_autoptr(GPtrArray) methods = tinker_plugin_methods(tinker_scene_catalogue(island->model->scene));
+    const double explicit = decision->cost.operations;
+    for (guint i = 0; i < methods->len; i++) {
+        const TinkerIntegrator *method = g_ptr_array_index(methods, i);
+        const double tolerance = wanted_tolerance(island, forecast, method, options);
+        TinkerCost cost;
+        if ((method->flags & implicit) != implicit || method->real_limit >= 0) continue;
+        if (!tinker_cost_of(island, forecast, method, options, 0, tolerance, &cost)) continue;
+        if (!(HELD_FAST * cost.operations < explicit) || !(cost.operations < decision->cost.operations)) continue;
+        decision->cost = cost;
+        decision->choice = (TinkerChoice){.method = method, .tolerance = tolerance};
+    }
+}
+
 static void decide_automatically(const TinkerIsland *island, const TinkerRunOptions *options,
                                  const TinkerForecast *forecast, TinkerDecision *decision)
 {
@@ -182,6 +215,7 @@ static void decide_automatically(const TinkerIsland *island, const TinkerRunOpti
             .tolerance = tinker_method_is_fixed(*each) ? 0 : tolerance,
         };
     }
+    take_damped_method(island, options, forecast, decision);
     choice->holds_energy = is_worth_holding(island, options, forecast, choice->method);
     explain_automatic(decision, options, forecast, stiff);
     explain_holding(decision);

@@ -54,6 +54,20 @@ GPtrArray *tinker_method_ids(TinkerCatalogue *catalogue, guint *builtins)
     return ids;
 }
 
+GPtrArray *tinker_plugin_methods(TinkerCatalogue *catalogue)
+{
+    GPtrArray *methods = g_ptr_array_new();
+    g_autoptr(GPtrArray) libraries = tinker_catalogue_libraries(catalogue);
+    g_autoptr(GPtrArray) ids = tinker_libraries_integrators(libraries);
+    for (guint i = 0; i < ids->len; i++) {
+        const char *id = g_ptr_array_index(ids, i);
+        const TinkerIntegrator *found =
+            tinker_integrator_builtin(id) == NULL ? tinker_catalogue_integrator(catalogue, id, NULL) : NULL;
+        if (found != NULL) g_ptr_array_add(methods, (gpointer)found);
+    }
+    return methods;
+}
+
 /* "auto, rk4, and of plugins heun"; `names` ends with NULL, `builtins` of them are built in. (transfer full) */
 static char *list_of(GPtrArray *names, guint builtins)
 {

@@ -40,6 +40,10 @@ double tinker_options_samples(const TinkerRunOptions *options);
  * TINKER_MODEL_ERROR_METHOD. */
 const TinkerIntegrator *tinker_run_method(TinkerScene *scene, const char *id, GError **error);
 
+/* The methods of plugins, none of which has the id of one that is built in; of const TinkerIntegrator *, which lives as
+ * long as the catalogue. What is refused is left out. (transfer full) */
+GPtrArray *tinker_plugin_methods(TinkerCatalogue *catalogue);
+
 /* Of all methods that a run may name: "auto", those that are built in (`builtins`, unless NULL, is how many these are
  * with "auto"), those of plugins; of char *. (transfer full) */
 GPtrArray *tinker_method_ids(TinkerCatalogue *catalogue, guint *builtins);
