@@ -104,7 +104,9 @@ static void add_value(GtkWidget *box, GtkWidget *row, const char *comment)
 
 static gboolean is_value(const TinkerEquationLine *line)
 {
-    return line->terms->len == 1 && strstr(g_array_index(line->terms, TinkerLineTerm, 0).text, "<mtext>") != NULL;
+    if (line->terms->len != 1) return FALSE;
+    const char *text = g_array_index(line->terms, TinkerLineTerm, 0).text;
+    return strstr(text, "<mtext>") != NULL || strstr(text, "<mi>") == NULL; /* a unit, or a number alone */
 }
 
 static void add_line(TinkerEquationsPage *page, GtkWidget *box, const TinkerEquationLine *shown,
