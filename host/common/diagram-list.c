@@ -6,7 +6,8 @@
 
 #define NOTHING   1e-12 /* components below this share of the greatest force are 0 */
 #define MOST_ROWS 10
-#define NARROW    560.0 /* canvas units: below it partners are left out */
+#define NARROW    560.0 /* canvas units: below it partners are left out, */
+#define NARROWEST 330.0 /* and below this what is along x and y */
 
 /* The list -----------------------------------------------------------------------------------------------------------
  */
@@ -17,6 +18,7 @@ typedef struct {
     const double *colour; /* NULL: none */
     char *texts[COLUMNS];
     gboolean bold;
+    int lines; /* that it may take; 0 is one */
 } ListRow;
 
 static void list_row_clear(gpointer data)
@@ -49,77 +51,122 @@ static void add_head(GArray *rows)
     g_array_append_val(rows, head);
 }
 
-/* A head, the forces, what they make, and notes in the first column. (transfer full) */
-static GArray *list_of(const DiagramDrawing *drawing)
+/* (transfer full) */
+static char *name_of(const DiagramDrawing *drawing, guint number)
 {
+    g_autofree char *name = diagram_force_name(drawing, &g_array_index(drawing->forces, TinkerDiagramForce, number));
+    return drawing->numbered ? g_strdup_printf("%u  %s", number + 1, name) : g_steal_pointer(&name);
+}
+
+/* What is listed. */
+typedef struct {
+    guint most; /* forces */
+    gboolean notes;
+} ListChoice;
+
+/* A head, the forces, what they make, and notes in the first column. (transfer full) */
+static GArray *list_of(const DiagramDrawing *drawing, double width, ListChoice choice)
+{
+    const guint most = choice.most;
     const TinkerTheme *theme = drawing->picture->theme;
     const TinkerDiagram *diagram = drawing->picture->diagram;
     GArray *rows = g_array_new(FALSE, TRUE, sizeof(ListRow));
     g_array_set_clear_func(rows, list_row_clear);
     if (drawing->forces->len > 0 || diagram->moves) add_head(rows);
-    for (guint i = 0; i < drawing->forces->len && i < MOST_ROWS; i++) {
+    for (guint i = 0; i < drawing->forces->len && i < most; i++) {
         const TinkerDiagramForce *force = &g_array_index(drawing->forces, TinkerDiagramForce, i);
         char *partner = force->partner < 0 ? g_strdup("")
                                            : g_strdup_printf(_("opposite on %s"),
                                                              tinker_scene_block_name(drawing->scene, force->partner));
-        add_row(drawing, rows, diagram_force_name(drawing, force), force->force,
+        add_row(drawing, rows, name_of(drawing, i), force->force,
                 tinker_arrow_colour(theme, diagram_arrow_kind(force->kind)), partner);
     }
-    if (drawing->forces->len > MOST_ROWS) {
-        const ListRow more = {NULL, {g_strdup_printf(_("and %u more"), drawing->forces->len - MOST_ROWS)}};
+    if (drawing->forces->len > most) {
+        const ListRow more = {NULL, {g_strdup_printf(_("and %u more"), drawing->forces->len - most)}};
         g_array_append_val(rows, more);
     }
     if (diagram->moves) {
         static const double none[2] = {0, 0};
-        add_row(drawing, rows, g_strdup(_("together = m a")), diagram_has_resultant(diagram) ? diagram->kinetic : none,
+        add_row(drawing, rows, g_strdup(width < NARROWEST ? "= m a" : _("together = m a")),
+                diagram_has_resultant(diagram) ? diagram->kinetic : none,
                 tinker_arrow_colour(theme, TINKER_ARROW_MOTION), g_strdup(""));
     }
     g_autoptr(GPtrArray) notes = diagram_notes(drawing);
-    for (guint i = 0; i < notes->len; i++) {
-        const ListRow note = {NULL, {g_strdup(g_ptr_array_index(notes, i))}};
+    for (guint i = 0; choice.notes && i < notes->len; i++) {
+        const ListRow note = {NULL, {g_strdup(g_ptr_array_index(notes, i))}, FALSE, width < NARROWEST ? 2 : 1};
         g_array_append_val(rows, note);
     }
     return rows;
 }
 
-double diagram_list_height(const DiagramDrawing *drawing)
+static double height_of(const GArray *rows)
 {
-    g_autoptr(GArray) rows = list_of(drawing);
-    return DIAGRAM_ROW * rows->len;
+    double height = 0;
+    for (guint i = 0; i < rows->len; i++)
+        height += DIAGRAM_ROW * MAX(g_array_index(rows, ListRow, i).lines, 1);
+    return height;
 }
 
-void diagram_draw_list(DiagramDrawing *drawing, double width, double top)
+double diagram_list_height(const DiagramDrawing *drawing, double width)
 {
-    g_autoptr(GArray) rows = list_of(drawing);
-    /* where columns end, for numbers, or begin */
-    const gboolean narrow = width < NARROW;
-    const double wide_ends[COLUMNS] = {DIAGRAM_EDGE + 14, 0.46 * width, 0.58 * width, 0.7 * width, 0.72 * width};
-    const double narrow_ends[COLUMNS] = {DIAGRAM_EDGE + 14, 0.6 * width, 0.8 * width, 0.99 * width, width};
-    const double *ends = narrow ? narrow_ends : wide_ends;
+    g_autoptr(GArray) rows = list_of(drawing, width, (ListChoice){MOST_ROWS, TRUE});
+    return height_of(rows);
+}
+
+/* Where columns end, for numbers, or begin; below 0 for those that are left out. */
+static const double *ends_of(double width)
+{
+    static const double wide[COLUMNS] = {0, 0.46, 0.58, 0.7, 0.72}, narrow[COLUMNS] = {0, 0.6, 0.8, 0.98, -1},
+                        narrowest[COLUMNS] = {0, -1, -1, 0.95, -1};
+    return width < NARROWEST ? narrowest : width < NARROW ? narrow : wide;
+}
+
+static void draw_row(DiagramDrawing *drawing, const ListRow *row, double width, double y)
+{
+    const double *ends = ends_of(width);
+    const gboolean whole = row->texts[ALONG_X] == NULL;
+    if (row->colour != NULL) {
+        diagram_set_colour(drawing->cairo, row->colour);
+        cairo_rectangle(drawing->cairo, DIAGRAM_EDGE, y - 4, 8, 8);
+        cairo_fill(drawing->cairo);
+    }
+    for (int k = 0; k < COLUMNS; k++) {
+        const gboolean number = k >= ALONG_X && k <= SIZE;
+        if (row->texts[k] == NULL || ends[k] < 0) continue;
+        const double limit = whole          ? width - 2 * DIAGRAM_EDGE
+                             : k == NAME    ? (width < NARROWEST ? 0.55 : 0.3) * width
+                             : k == PARTNER ? 0.28 * width - DIAGRAM_EDGE
+                                            : 0;
+        diagram_write(drawing,
+                      (TinkerText){.text = row->texts[k],
+                                   .size = DIAGRAM_TEXT,
+                                   .bold = row->bold,
+                                   .keeps_end = !whole && k == NAME,
+                                   .limit = fmax(limit, 0),
+                                   .lines = row->lines,
+                                   .anchor_x = number,
+                                   .anchor_y = 0.5},
+                      k == NAME ? DIAGRAM_EDGE + (whole ? 0 : 14) : ends[k] * width, y);
+    }
+}
+
+void diagram_draw_list(DiagramDrawing *drawing, const double place[4])
+{
+    const double width = place[2] - place[0];
+    ListChoice choice = {MIN(MOST_ROWS, drawing->forces->len), TRUE};
+    GArray *rows = list_of(drawing, width, choice);
+    while ((choice.notes || choice.most > 1) && height_of(rows) > place[3] - place[1]) {
+        choice.most -= choice.notes ? 0 : 1;
+        choice.notes = FALSE;
+        g_array_unref(rows);
+        rows = list_of(drawing, width, choice);
+    }
+    double y = place[1];
     for (guint i = 0; i < rows->len; i++) {
         const ListRow *row = &g_array_index(rows, ListRow, i);
-        const double y = top + DIAGRAM_ROW * (i + 0.5);
-        if (row->colour != NULL) {
-            diagram_set_colour(drawing->cairo, row->colour);
-            cairo_rectangle(drawing->cairo, DIAGRAM_EDGE, y - 4, 8, 8);
-            cairo_fill(drawing->cairo);
-        }
-        for (int k = 0; k < COLUMNS; k++) {
-            const gboolean number = k >= ALONG_X && k <= SIZE, whole = row->texts[ALONG_X] == NULL;
-            if (row->texts[k] == NULL || (narrow && k == PARTNER)) continue;
-            const double limit = whole          ? width - 2 * DIAGRAM_EDGE
-                                 : k == NAME    ? 0.3 * width
-                                 : k == PARTNER ? 0.28 * width - DIAGRAM_EDGE
-                                                : 0;
-            diagram_write(drawing,
-                          (TinkerText){.text = row->texts[k],
-                                       .size = DIAGRAM_TEXT,
-                                       .bold = row->bold,
-                                       .keeps_end = !whole && k == NAME,
-                                       .limit = fmax(limit, 0),
-                                       .anchor_x = number,
-                                       .anchor_y = 0.5},
-                          ends[k], y);
-        }
+        const double height = DIAGRAM_ROW * MAX(row->lines, 1);
+        draw_row(drawing, row, width, y + height / 2);
+        y += height;
     }
+    g_array_unref(rows);
 }

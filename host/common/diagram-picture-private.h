@@ -17,9 +17,10 @@ typedef struct {
     TinkerScene *scene;
     cairo_t *cairo;
     TinkerTextPen pen;
-    GArray *forces; /* of TinkerDiagramForce: those that are not 0 */
-    double size;    /* N: the greatest force that is drawn to scale; 0: there is none */
-    double lesser;  /* canvas units: the least side of the parts of the paper, which all sizes are measured by */
+    GArray *forces;    /* of TinkerDiagramForce: those that are not 0 */
+    double size;       /* N: the greatest force that is drawn to scale; 0: there is none */
+    double lesser;     /* canvas units: the least side of the parts of the paper, which all sizes are measured by */
+    gboolean numbered; /* arrows have numbers, which the list explains */
 } DiagramDrawing;
 
 void diagram_begin(DiagramDrawing *drawing, const TinkerDiagramPicture *picture, cairo_t *cairo);
@@ -49,8 +50,9 @@ GPtrArray *diagram_notes(const DiagramDrawing *drawing);
 void diagram_write(DiagramDrawing *drawing, TinkerText text, double x, double y);
 void diagram_set_colour(cairo_t *cairo, const double colour[4]);
 
-/* The forces in numbers, what they make, and notes: how high they are, and drawn from `top` downwards. */
-double diagram_list_height(const DiagramDrawing *drawing);
-void diagram_draw_list(DiagramDrawing *drawing, double width, double top);
+/* The forces in numbers, what they make, and notes: how high they are, and drawn into a box, least and greatest x and
+ * y, as far as there is room. */
+double diagram_list_height(const DiagramDrawing *drawing, double width);
+void diagram_draw_list(DiagramDrawing *drawing, const double place[4]);
 
 #endif

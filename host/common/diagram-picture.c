@@ -17,7 +17,9 @@
 #define BESIDE      10.0 /* between arrows that would lie on each other */
 #define MOST_BODY   110.0
 #define MOST_ARROW  200.0
-#define NARROW_PART 240.0 /* of the paper: below it labels are brief */
+#define LEAST_ARROW 4.0   /* shorter ones could not be seen */
+#define NARROW_PART 240.0 /* of the paper: below it arrows have numbers in place of names, as the list has, */
+#define LEAST_PART  170.0 /* and below this no values */
 
 #define BODY_SHARE  0.24 /* of the lesser side of its part of the paper, for one body; */
 #define WIDE_SHARE  0.42 /* for several */
@@ -166,7 +168,8 @@ static void add_arrow(Part *part, const double point[2], const double force[2], 
 {
     const DiagramDrawing *drawing = part->drawing;
     const double size = diagram_strength(force), unit = 1 / part->view->scale;
-    const double shown = fmin(fmax(size / drawing->size, 1 / TINKER_DIAGRAM_RATIO), 1) * part->longest * unit;
+    const double to_scale = fmin(fmax(size / drawing->size, 1 / TINKER_DIAGRAM_RATIO), 1) * part->longest;
+    const double shown = fmax(to_scale, LEAST_ARROW) * unit;
     TinkerForceArrow arrow = {.x = point[0],
                               .y = point[1],
                               .fx = force[0] / size * shown,
@@ -186,28 +189,31 @@ static void add_arrow(Part *part, const double point[2], const double force[2], 
     g_array_append_val(part->arrows, arrow);
 }
 
+/* What stands at an arrow: all of it, or as much as there is room for. (transfer full) */
+static char *label_of(const Part *part, const char *name, const double force[2])
+{
+    if (part->drawing->numbered && part->view->width < LEAST_PART) return g_strdup(name);
+    g_autofree char *value = diagram_force_text(part->drawing, diagram_strength(force));
+    return g_strdup_printf("%s  %s", name, value);
+}
+
 static void add_forces(Part *part)
 {
     const DiagramDrawing *drawing = part->drawing;
     for (guint i = 0; i < drawing->forces->len; i++) {
         const TinkerDiagramForce *force = &g_array_index(drawing->forces, TinkerDiagramForce, i);
         const TinkerBlockId lit = drawing->picture->lit;
-        /* in little room its kind tells a force of contact from the others; the list below has all of its name */
-        const gboolean brief = part->view->width < NARROW_PART && diagram_is_of_contact(force);
-        g_autofree char *name = brief ? g_strdup(tinker_force_arrow_word(diagram_arrow_kind(force->kind)))
-                                      : diagram_force_name(drawing, force);
-        g_autofree char *value = diagram_force_text(drawing, diagram_strength(force->force));
+        g_autofree char *name = drawing->numbered ? g_strdup_printf("%u", i + 1) : diagram_force_name(drawing, force);
         add_arrow(part, force->point, force->force, pushes(drawing, force), diagram_arrow_kind(force->kind),
-                  lit != TINKER_NO_BLOCK && lit != force->from, g_strdup_printf("%s  %s", name, value));
+                  lit != TINKER_NO_BLOCK && lit != force->from, label_of(part, name, force->force));
     }
 }
 
 static void add_resultant(Part *part)
 {
     const TinkerDiagram *diagram = part->drawing->picture->diagram;
-    g_autofree char *value = diagram_force_text(part->drawing, diagram_strength(diagram->kinetic));
     add_arrow(part, diagram->centre, diagram->kinetic, FALSE, TINKER_ARROW_MOTION, FALSE,
-              g_strdup_printf("m a  %s", value));
+              label_of(part, "m a", diagram->kinetic));
 }
 
 static void draw_part(DiagramDrawing *drawing, const double place[4], const char *heading, gboolean kinetic)
@@ -251,7 +257,8 @@ static void draw_part(DiagramDrawing *drawing, const double place[4], const char
 /* All ----------------------------------------------------------------------------------------------------------------
  */
 
-static char *title_of(const DiagramDrawing *drawing)
+/* "Bob,  m = 2 kg,  t = 0.5 s"; in little room without the mass. */
+static char *title_of(const DiagramDrawing *drawing, gboolean with_mass)
 {
     static const TinkerDimension seconds = TINKER_DIMENSION_TIME, kilograms = TINKER_DIMENSION_MASS;
     const TinkerDiagram *diagram = drawing->picture->diagram;
@@ -261,8 +268,28 @@ static char *title_of(const DiagramDrawing *drawing)
                                tinker_scene_block_name(drawing->scene, *block));
     g_autofree char *time = diagram_quantity(drawing, diagram->time, seconds);
     g_autofree char *mass = diagram_quantity(drawing, diagram->mass, kilograms);
-    return diagram->moves ? g_strdup_printf("%s,  m = %s,  t = %s", names->str, mass, time)
-                          : g_strdup_printf("%s,  t = %s", names->str, time);
+    return diagram->moves && with_mass ? g_strdup_printf("%s,  m = %s,  t = %s", names->str, mass, time)
+                                       : g_strdup_printf("%s,  t = %s", names->str, time);
+}
+
+static double width_of(DiagramDrawing *drawing, const char *text, double size)
+{
+    const TinkerText one = {.text = text, .size = size, .bold = TRUE};
+    double width, height;
+    tinker_text_measure(&drawing->pen, &one, &width, &height);
+    return width;
+}
+
+static void draw_title(DiagramDrawing *drawing, double width)
+{
+    g_autofree char *whole = title_of(drawing, TRUE), *brief = title_of(drawing, FALSE);
+    const double room = fmax(width - 2 * DIAGRAM_EDGE, 1);
+    const TinkerText title = {.text = width_of(drawing, whole, TITLE) <= room ? whole : brief,
+                              .size = TITLE,
+                              .bold = TRUE,
+                              .keeps_end = TRUE,
+                              .limit = room};
+    diagram_write(drawing, title, DIAGRAM_EDGE, DIAGRAM_EDGE / 2);
 }
 
 void tinker_diagram_draw(cairo_t *cairo, double width, double height, void *data)
@@ -272,24 +299,25 @@ void tinker_diagram_draw(cairo_t *cairo, double width, double height, void *data
     diagram_begin(&drawing, picture, cairo);
     diagram_set_colour(cairo, picture->theme->background);
     cairo_paint(cairo);
-    g_autofree char *title = title_of(&drawing);
-    const double list = diagram_list_height(&drawing) + DIAGRAM_EDGE, top = DIAGRAM_EDGE + TITLE + DIAGRAM_EDGE,
-                 bottom = fmax(height - list, height / 2);
+    const double top = DIAGRAM_EDGE + TITLE + DIAGRAM_EDGE;
     const gboolean both = picture->kind == TINKER_DIAGRAM_BOTH && picture->diagram->moves;
     const double middle = both ? FREE_SHARE * width : picture->kind == TINKER_DIAGRAM_KINETIC ? 0 : width;
     const double aside = both ? ASIDE : 0;
+    drawing.numbered = middle - aside < NARROW_PART;
+    const double list = diagram_list_height(&drawing, width) + DIAGRAM_EDGE, bottom = fmax(height - list, height / 2);
     drawing.lesser = fmin(bottom - top, both ? width - middle - aside : width);
-    diagram_write(
-        &drawing,
-        (TinkerText){
-            .text = title, .size = TITLE, .bold = TRUE, .limit = fmax(width - 2 * DIAGRAM_EDGE, 1), .anchor_x = 0},
-        DIAGRAM_EDGE, DIAGRAM_EDGE / 2);
-    if (middle > 0) draw_part(&drawing, (double[]){0, top, middle - aside, bottom}, _("Free-body diagram"), FALSE);
-    if (middle < width) draw_part(&drawing, (double[]){middle + aside, top, width, bottom}, _("Kinetic diagram"), TRUE);
+    const char *free_body = _("Free-body diagram"), *kinetic = _("Kinetic diagram");
+    if (both && width_of(&drawing, kinetic, DIAGRAM_TEXT) > width - middle - aside) {
+        free_body = _("Forces");
+        kinetic = "m a";
+    }
+    draw_title(&drawing, width);
+    if (middle > 0) draw_part(&drawing, (double[]){0, top, middle - aside, bottom}, free_body, FALSE);
+    if (middle < width) draw_part(&drawing, (double[]){middle + aside, top, width, bottom}, kinetic, TRUE);
     if (both)
         diagram_write(&drawing, (TinkerText){.text = "=", .size = EQUALS, .anchor_x = 0.5, .anchor_y = 0.5}, middle,
                       (top + bottom) / 2);
-    diagram_draw_list(&drawing, width, bottom);
+    diagram_draw_list(&drawing, (double[]){0, bottom, width, height});
     diagram_end(&drawing);
 }
 

@@ -173,9 +173,10 @@ static gboolean find_colour(cairo_surface_t *surface, const double colour[4], do
     return count > 20;
 }
 
-static cairo_surface_t *draw_diagram(CliFixture *fixture, const char *time)
+static cairo_surface_t *draw_diagram(CliFixture *fixture, const char *time, const char *size)
 {
-    g_autofree char *words = g_strdup_printf("diagram @scene.json --block Bob --time %s -o @d.png", time);
+    g_autofree char *words =
+        g_strdup_printf("diagram @scene.json --block Bob --time %s --size %s -o @d.png", time, size);
     g_autoptr(TestProgram) drawn = cli_run_well(fixture, words);
     g_autofree char *path = g_build_filename(fixture->folder, "d.png", NULL);
     cairo_surface_t *surface = cairo_image_surface_create_from_png(path);
@@ -193,19 +194,38 @@ static void test_picture(CliFixture *fixture, gconstpointer data)
     const double *result = tinker_arrow_colour(theme, TINKER_ARROW_MOTION);
     double at[2], of_weight[2], of_result[2];
     g_autofree char *path = cli_write(fixture, "scene.json", PENDULUM);
-    cairo_surface_t *start = draw_diagram(fixture, "0");
+    cairo_surface_t *start = draw_diagram(fixture, "0", "900x620");
     g_assert_false(find_colour(start, rod, at));
     g_assert_true(find_colour(start, weight, of_weight));
     g_assert_true(find_colour(start, result, of_result));
     g_assert_cmpfloat(fabs(of_weight[1] - of_result[1]), <, 12); /* the bars beside their labels stand apart a little */
     g_assert_cmpfloat(of_weight[0] + 100, <, of_result[0]);
     cairo_surface_destroy(start);
-    cairo_surface_t *later = draw_diagram(fixture, "0.5");
+    cairo_surface_t *later = draw_diagram(fixture, "0.5", "900x620");
     g_assert_true(find_colour(later, rod, at));
     g_assert_true(find_colour(later, weight, of_weight));
     g_assert_cmpfloat(at[0], <, of_weight[0]);
     g_assert_cmpfloat(at[1], <, of_weight[1]);
     cairo_surface_destroy(later);
+}
+
+/* In little room, titles and names are shorter and columns fewer: nothing is cut by the paper's edge. */
+static void test_small_picture(CliFixture *fixture, gconstpointer data)
+{
+    static const char *const sizes[] = {"200x180", "260x220", "340x260"};
+    g_autofree char *path = cli_write(fixture, "scene.json", PENDULUM);
+    for (gsize i = 0; i < G_N_ELEMENTS(sizes); i++) {
+        cairo_surface_t *picture = draw_diagram(fixture, "0.5", sizes[i]);
+        const int width = cairo_image_surface_get_width(picture), height = cairo_image_surface_get_height(picture);
+        const int stride = cairo_image_surface_get_stride(picture);
+        const unsigned char *pixels = cairo_image_surface_get_data(picture);
+        for (int y = 0; y < height; y++) {
+            const guint32 *row = (const guint32 *)(gconstpointer)(pixels + y * stride);
+            g_assert_cmphex(row[0], ==, ((const guint32 *)(gconstpointer)pixels)[0]);
+            g_assert_cmphex(row[width - 1], ==, row[0]);
+        }
+        cairo_surface_destroy(picture);
+    }
 }
 
 /* A picture's name never holds a text, nor a text's a picture. */
@@ -281,6 +301,7 @@ int main(int argc, char **argv)
     cli_test_add("/cli/books/pages", test_pages);
     cli_test_add("/cli/books/diagram", test_diagram);
     cli_test_add("/cli/books/picture", test_picture);
+    cli_test_add("/cli/books/small-picture", test_small_picture);
     cli_test_add("/cli/books/endings", test_endings);
     g_test_add_func("/cli/books/scale", test_scale);
     return g_test_run();
