@@ -41,6 +41,27 @@ static void add_row(const DiagramDrawing *drawing, GArray *rows, char *name, con
     g_array_append_val(rows, row);
 }
 
+/* What turns a body stands with its size alone. */
+static void add_torque(const DiagramDrawing *drawing, GArray *rows, char *name, double torque, const double *colour)
+{
+    const ListRow row = {colour,
+                         {name, g_strdup(""), g_strdup(""), diagram_torque_text(drawing, torque), g_strdup("")}};
+    g_array_append_val(rows, row);
+}
+
+static void add_torques(const DiagramDrawing *drawing, GArray *rows)
+{
+    for (guint i = 0; i < drawing->torques->len; i++) {
+        const TinkerDiagramForce *torque = &g_array_index(drawing->torques, TinkerDiagramForce, i);
+        const char *from = tinker_scene_block_name(drawing->scene, torque->from);
+        g_autofree char *number =
+            drawing->numbered ? g_strdup_printf("%u  ", drawing->forces->len + i + 1) : g_strdup("");
+        g_autofree char *name = g_strdup_printf(_("%s, torque"), from);
+        add_torque(drawing, rows, g_strconcat(number, name, NULL), torque->torque,
+                   tinker_arrow_colour(drawing->picture->theme, diagram_arrow_kind(torque->kind)));
+    }
+}
+
 /* What the columns are. */
 static void add_head(GArray *rows)
 {
@@ -72,7 +93,7 @@ static GArray *list_of(const DiagramDrawing *drawing, double width, ListChoice c
     const TinkerDiagram *diagram = drawing->picture->diagram;
     GArray *rows = g_array_new(FALSE, TRUE, sizeof(ListRow));
     g_array_set_clear_func(rows, list_row_clear);
-    if (drawing->forces->len > 0 || diagram->moves) add_head(rows);
+    if (drawing->forces->len + drawing->torques->len > 0 || diagram->moves) add_head(rows);
     for (guint i = 0; i < drawing->forces->len && i < most; i++) {
         const TinkerDiagramForce *force = &g_array_index(drawing->forces, TinkerDiagramForce, i);
         char *partner = force->partner < 0 ? g_strdup("")
@@ -85,11 +106,15 @@ static GArray *list_of(const DiagramDrawing *drawing, double width, ListChoice c
         const ListRow more = {NULL, {g_strdup_printf(_("and %u more"), drawing->forces->len - most)}};
         g_array_append_val(rows, more);
     }
+    add_torques(drawing, rows);
     if (diagram->moves) {
         static const double none[2] = {0, 0};
         add_row(drawing, rows, g_strdup(width < NARROWEST ? "= m a" : _("together = m a")),
                 diagram_has_resultant(diagram) ? diagram->kinetic : none,
                 tinker_arrow_colour(theme, TINKER_ARROW_MOTION), g_strdup(""));
+        if (!isnan(diagram->inertia))
+            add_torque(drawing, rows, g_strdup("I α"), diagram_has_turning(diagram) ? diagram->turning : 0,
+                       tinker_arrow_colour(theme, TINKER_ARROW_MOTION));
     }
     g_autoptr(GPtrArray) notes = diagram_notes(drawing);
     for (guint i = 0; choice.notes && i < notes->len; i++) {

@@ -17,10 +17,12 @@ typedef struct {
     TinkerScene *scene;
     cairo_t *cairo;
     TinkerTextPen pen;
-    GArray *forces;    /* of TinkerDiagramForce: those that are not 0 */
+    GArray *forces;    /* of TinkerDiagramForce: those that are not 0, */
+    GArray *torques;   /* and those whose torque beside that of the force is not 0 */
     double size;       /* N: the greatest force that is drawn to scale; 0: there is none */
     double lesser;     /* canvas units: the least side of the parts of the paper, which all sizes are measured by */
-    gboolean numbered; /* arrows have numbers, which the list explains */
+    gboolean numbered; /* arrows have numbers, which the list explains, */
+    gboolean brief;    /* and nothing else */
 } DiagramDrawing;
 
 void diagram_begin(DiagramDrawing *drawing, const TinkerDiagramPicture *picture, cairo_t *cairo);
@@ -39,6 +41,9 @@ gboolean diagram_is_stub(const DiagramDrawing *drawing, double size);
 char *diagram_quantity(const DiagramDrawing *drawing, double value, TinkerDimension dimension);
 /* With a minus as it is printed. (transfer full) */
 char *diagram_force_text(const DiagramDrawing *drawing, double newtons);
+char *diagram_torque_text(const DiagramDrawing *drawing, double newton_metres);
+/* Whether there is a moment of the resultant, I alpha, that is not just what rounding leaves. */
+gboolean diagram_has_turning(const TinkerDiagram *diagram);
 gboolean diagram_is_of_contact(const TinkerDiagramForce *force);
 /* "Floor (Normal force)": of what touches there are two forces. (transfer full) */
 char *diagram_force_name(const DiagramDrawing *drawing, const TinkerDiagramForce *force);

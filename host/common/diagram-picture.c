@@ -5,6 +5,7 @@
 
 #include <glib/gi18n.h>
 #include <math.h>
+#include <string.h>
 
 #include "diagram-scale.h"
 #include "render/picture/painter.h"
@@ -18,8 +19,12 @@
 #define MOST_BODY   110.0
 #define MOST_ARROW  200.0
 #define LEAST_ARROW 4.0   /* shorter ones could not be seen */
-#define NARROW_PART 240.0 /* of the paper: below it arrows have numbers in place of names, as the list has, */
+#define NARROW_PART 330.0 /* of the paper: below it arrows have numbers in place of names, as the list has, */
 #define LEAST_PART  170.0 /* and below this no values */
+
+#define TURN_SHARE 0.2 /* of the same, the radius of a turning arrow */
+#define TURN_STEP  8.0 /* between two of them */
+#define TURN_HEAD  8.0
 
 #define BODY_SHARE  0.24 /* of the lesser side of its part of the paper, for one body; */
 #define WIDE_SHARE  0.42 /* for several */
@@ -192,7 +197,7 @@ static void add_arrow(Part *part, const double point[2], const double force[2], 
 /* What stands at an arrow: all of it, or as much as there is room for. (transfer full) */
 static char *label_of(const Part *part, const char *name, const double force[2])
 {
-    if (part->drawing->numbered && part->view->width < LEAST_PART) return g_strdup(name);
+    if (part->drawing->brief) return g_strdup(name);
     g_autofree char *value = diagram_force_text(part->drawing, diagram_strength(force));
     return g_strdup_printf("%s  %s", name, value);
 }
@@ -216,6 +221,73 @@ static void add_resultant(Part *part)
               label_of(part, "m a", diagram->kinetic));
 }
 
+/* Turning arrows -----------------------------------------------------------------------------------------------------
+ */
+
+/* An arc about a place, open below, with a head at its end: counter-clockwise for what is positive. */
+static void draw_turn(cairo_t *cairo, const double at[2], double radius, double torque, const double *colour)
+{
+    const double way = torque > 0 ? -1 : 1; /* angles of the canvas grow clockwise */
+    const double from = torque > 0 ? 0.25 * G_PI : 0.75 * G_PI, to = from + way * 1.5 * G_PI;
+    const double x = at[0] + radius * cos(to), y = at[1] + radius * sin(to);
+    const double ux = -way * sin(to), uy = way * cos(to);
+    cairo_new_path(cairo);
+    diagram_set_colour(cairo, colour);
+    cairo_set_line_width(cairo, 2);
+    (way > 0 ? cairo_arc : cairo_arc_negative)(cairo, at[0], at[1], radius, from, to);
+    cairo_stroke(cairo);
+    cairo_move_to(cairo, x + TURN_HEAD * ux, y + TURN_HEAD * uy);
+    cairo_line_to(cairo, x - 0.5 * TURN_HEAD * uy, y + 0.5 * TURN_HEAD * ux);
+    cairo_line_to(cairo, x + 0.5 * TURN_HEAD * uy, y - 0.5 * TURN_HEAD * ux);
+    cairo_close_path(cairo);
+    cairo_fill(cairo);
+}
+
+/* Where they stand: the middle of the body, the radius of the innermost, and the box that their labels take. */
+typedef struct {
+    double at[2], least, labels[4];
+    guint count;
+} Turns;
+
+static Turns turns_of(const Part *part, gboolean kinetic)
+{
+    const TinkerDiagram *diagram = part->drawing->picture->diagram;
+    Turns turns = {.least = TURN_SHARE * fmin(part->drawing->lesser, 3 * MOST_BODY),
+                   .count = !kinetic                       ? part->drawing->torques->len
+                            : diagram_has_turning(diagram) ? 1
+                                                           : 0};
+    tinker_view_to_canvas(part->view, diagram->centre[0], diagram->centre[1], &turns.at[0], &turns.at[1]);
+    const double half = 0.5 * DIAGRAM_ROW * turns.count;
+    const double beside = turns.at[0] + turns.least + TURN_STEP * turns.count, below = turns.at[1] + turns.least;
+    const double boxes[2][4] = {{beside, turns.at[1] - half, part->view->width, turns.at[1] + half},
+                                {turns.at[0] - DIAGRAM_ROW, below, turns.at[0] + DIAGRAM_ROW, below + DIAGRAM_ROW}};
+    if (turns.count > 0) memcpy(turns.labels, boxes[kinetic], sizeof turns.labels);
+    return turns;
+}
+
+/* One inside the other, and their labels one below the other. */
+static void draw_torques(const Part *part, const Turns *turns, gboolean kinetic)
+{
+    DiagramDrawing *drawing = part->drawing;
+    const TinkerTheme *theme = drawing->picture->theme;
+    if (kinetic && turns->count > 0) {
+        draw_turn(drawing->cairo, turns->at, turns->least, drawing->picture->diagram->turning,
+                  tinker_arrow_colour(theme, TINKER_ARROW_MOTION));
+        diagram_write(drawing, (TinkerText){.text = "I α", .size = DIAGRAM_TEXT, .anchor_x = 0.5}, turns->at[0],
+                      turns->labels[1]);
+    }
+    for (guint i = 0; !kinetic && i < turns->count; i++) {
+        const TinkerDiagramForce *torque = &g_array_index(drawing->torques, TinkerDiagramForce, i);
+        g_autofree char *number = g_strdup_printf("%u", drawing->forces->len + i + 1);
+        const char *name = drawing->numbered ? number : tinker_scene_block_name(drawing->scene, torque->from);
+        const TinkerText label = {
+            .text = name, .size = DIAGRAM_TEXT, .limit = fmax(turns->labels[2] - turns->labels[0] - TURN_HEAD, 1)};
+        draw_turn(drawing->cairo, turns->at, turns->least + TURN_STEP * i, torque->torque,
+                  tinker_arrow_colour(theme, diagram_arrow_kind(torque->kind)));
+        diagram_write(drawing, label, turns->labels[0] + 0.5 * TURN_HEAD, turns->labels[1] + DIAGRAM_ROW * i);
+    }
+}
+
 static void draw_part(DiagramDrawing *drawing, const double place[4], const char *heading, gboolean kinetic)
 {
     const double width = place[2] - place[0], height = place[3] - place[1];
@@ -226,12 +298,14 @@ static void draw_part(DiagramDrawing *drawing, const double place[4], const char
                  .longest = fmin(ARROW_SHARE * drawing->lesser, MOST_ARROW),
                  .arrows = g_array_new(FALSE, TRUE, sizeof(TinkerForceArrow)),
                  .texts = g_ptr_array_new_with_free_func(g_free)};
-    const double heading_box[1][4] = {{0, 0, width, HEADING}};
+    const Turns turns = turns_of(&part, kinetic);
+    double taken[2][4] = {{0, 0, width, HEADING}};
+    memcpy(taken[1], turns.labels, sizeof taken[1]);
     g_autoptr(GArray) drawn = drawn_boxes(drawing, &view);
     const TinkerArrowOptions options = {.theme = drawing->picture->theme,
                                         .scale = 1,
-                                        .taken = heading_box,
-                                        .taken_count = 1,
+                                        .taken = (const double(*)[4])taken,
+                                        .taken_count = turns.count > 0 ? 2 : 1,
                                         .drawn = (const double(*)[4])(gpointer)drawn->data,
                                         .drawn_count = (int)drawn->len,
                                         .roomy = TRUE};
@@ -244,9 +318,10 @@ static void draw_part(DiagramDrawing *drawing, const double place[4], const char
     if (kinetic && diagram_has_resultant(diagram)) add_resultant(&part);
     tinker_arrows_draw(drawing->cairo, &view, (const TinkerForceArrow *)(gpointer)part.arrows->data, part.arrows->len,
                        &options);
+    draw_torques(&part, &turns, kinetic);
     diagram_write(drawing, (TinkerText){.text = heading, .size = DIAGRAM_TEXT, .bold = TRUE, .anchor_x = 0.5},
                   width / 2, 0);
-    if (kinetic && !diagram_has_resultant(diagram))
+    if (kinetic && !diagram_has_resultant(diagram) && !diagram_has_turning(diagram))
         diagram_write(drawing, (TinkerText){.text = _("m a = 0"), .size = DIAGRAM_TEXT, .anchor_x = 0.5}, width / 2,
                       height / 2 + fmin(BODY_SHARE * drawing->lesser, MOST_BODY) / 2 + DIAGRAM_EDGE);
     cairo_restore(drawing->cairo);
@@ -303,7 +378,9 @@ void tinker_diagram_draw(cairo_t *cairo, double width, double height, void *data
     const gboolean both = picture->kind == TINKER_DIAGRAM_BOTH && picture->diagram->moves;
     const double middle = both ? FREE_SHARE * width : picture->kind == TINKER_DIAGRAM_KINETIC ? 0 : width;
     const double aside = both ? ASIDE : 0;
-    drawing.numbered = middle - aside < NARROW_PART;
+    const double first = (middle > 0 ? middle : width) - aside; /* how wide the part is that is drawn first */
+    drawing.numbered = first < NARROW_PART;
+    drawing.brief = first < LEAST_PART;
     const double list = diagram_list_height(&drawing, width) + DIAGRAM_EDGE, bottom = fmax(height - list, height / 2);
     drawing.lesser = fmin(bottom - top, both ? width - middle - aside : width);
     const char *free_body = _("Free-body diagram"), *kinetic = _("Kinetic diagram");

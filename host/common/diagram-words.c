@@ -1,6 +1,7 @@
 /* What a diagram says, and which of its arrows are to scale. */
 #include <glib/gi18n.h>
 #include <math.h>
+#include <string.h>
 
 #include "diagram-picture-private.h"
 #include "diagram-scale.h"
@@ -28,17 +29,36 @@ gboolean diagram_has_resultant(const TinkerDiagram *diagram)
     return diagram->moves && diagram_strength(diagram->kinetic) > NO_RESULT * diagram_greatest_force(diagram);
 }
 
+/* N m: this share of all moments together. */
+static double share_of_moments(const TinkerDiagram *diagram, double share)
+{
+    double sum = 0;
+    for (guint i = 0; i < diagram->forces->len; i++) {
+        const TinkerDiagramForce *force = &g_array_index(diagram->forces, TinkerDiagramForce, i);
+        const double arm = hypot(force->point[0] - diagram->centre[0], force->point[1] - diagram->centre[1]);
+        sum += diagram_strength(force->force) * arm + fabs(force->torque);
+    }
+    return share * sum;
+}
+
+gboolean diagram_has_turning(const TinkerDiagram *diagram)
+{
+    return diagram->moves && fabs(diagram->turning) > share_of_moments(diagram, NO_RESULT);
+}
+
 void diagram_begin(DiagramDrawing *drawing, const TinkerDiagramPicture *picture, cairo_t *cairo)
 {
     *drawing = (DiagramDrawing){.picture = picture, .scene = tinker_frame_scene(picture->frame), .cairo = cairo};
     drawing->pen = (TinkerTextPen)TINKER_TEXT_PEN_INIT;
     drawing->forces = g_array_new(FALSE, FALSE, sizeof(TinkerDiagramForce));
+    drawing->torques = g_array_new(FALSE, FALSE, sizeof(TinkerDiagramForce));
     const TinkerDiagram *diagram = picture->diagram;
-    const double least = NOTHING * diagram_greatest_force(diagram);
+    const double least = NOTHING * diagram_greatest_force(diagram), still = share_of_moments(diagram, NOTHING);
     g_autoptr(GArray) sizes = g_array_new(FALSE, FALSE, sizeof(double));
     for (guint i = 0; i < diagram->forces->len; i++) {
         const TinkerDiagramForce *force = &g_array_index(diagram->forces, TinkerDiagramForce, i);
         const double size = diagram_strength(force->force);
+        if (fabs(force->torque) > still) g_array_append_val(drawing->torques, *force);
         if (size <= least) continue;
         g_array_append_val(drawing->forces, *force);
         g_array_append_val(sizes, size);
@@ -51,6 +71,7 @@ void diagram_begin(DiagramDrawing *drawing, const TinkerDiagramPicture *picture,
 void diagram_end(DiagramDrawing *drawing)
 {
     g_array_unref(drawing->forces);
+    g_array_unref(drawing->torques);
     tinker_text_pen_clear(&drawing->pen);
 }
 
@@ -79,6 +100,16 @@ char *diagram_force_text(const DiagramDrawing *drawing, double newtons)
     static const TinkerDimension dimension = TINKER_DIMENSION_FORCE;
     g_autofree char *size = diagram_quantity(drawing, fabs(newtons), dimension);
     return g_strconcat(newtons < 0 ? "−" : "", size, NULL);
+}
+
+/* Joules are a unit of energy alone. */
+char *diagram_torque_text(const DiagramDrawing *drawing, double newton_metres)
+{
+    static const TinkerDimension dimension = TINKER_DIMENSION_ENERGY;
+    g_autofree char *size = diagram_quantity(drawing, fabs(newton_metres), dimension);
+    const gboolean joules = g_str_has_suffix(size, "J");
+    if (joules) size[strlen(size) - 1] = '\0';
+    return g_strconcat(newton_metres < 0 ? "−" : "", size, joules ? "N·m" : "", NULL);
 }
 
 TinkerArrowKind diagram_arrow_kind(TinkerTermKind kind)
@@ -128,7 +159,7 @@ GPtrArray *diagram_notes(const DiagramDrawing *drawing)
     }
     if (broken) g_ptr_array_add(notes, g_strdup(_("A broken arrow is longer than it is drawn.")));
     if (stub) g_ptr_array_add(notes, g_strdup(_("An arrow with a ring is shorter than it is drawn.")));
-    if (diagram->forces->len > 0 && drawing->forces->len == 0)
+    if (diagram->forces->len > 0 && drawing->forces->len + drawing->torques->len == 0)
         g_ptr_array_add(notes, g_strdup(_("No force acts just now.")));
     for (guint i = 0; i < diagram->cancelled->len; i++)
         g_ptr_array_add(notes,

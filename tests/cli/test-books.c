@@ -228,6 +228,30 @@ static void test_small_picture(CliFixture *fixture, gconstpointer data)
     }
 }
 
+/* What only turns a body is drawn: the picture is another one where the torque has the other sign. */
+static void test_torque_picture(CliFixture *fixture, gconstpointer data)
+{
+    cairo_surface_t *pictures[2];
+    for (int i = 0; i < 2; i++) {
+        g_autofree char *torque = g_strdup_printf(
+            SCENE("{\"type\": \"disc\", \"name\": \"Bob\"},"
+                  "{\"type\": \"torque\", \"name\": \"Torque\", \"ends\": [\"Bob\"], \"amplitude\": %d}"),
+            i == 0 ? 2 : -2);
+        g_autofree char *path = cli_write(fixture, "scene.json", torque);
+        pictures[i] = draw_diagram(fixture, "0", "900x620");
+    }
+    const gsize size = (gsize)cairo_image_surface_get_stride(pictures[0]) * 620;
+    g_assert_cmpint(cairo_image_surface_get_height(pictures[1]), ==, 620);
+    const unsigned char *one = cairo_image_surface_get_data(pictures[0]),
+                        *other = cairo_image_surface_get_data(pictures[1]);
+    gsize above = 0; /* the list, where the numbers are others */
+    for (gsize i = 0; i < size * 2 / 3; i++)
+        above += one[i] != other[i];
+    g_assert_cmpint(above, >, 100);
+    for (int i = 0; i < 2; i++)
+        cairo_surface_destroy(pictures[i]);
+}
+
 /* A picture's name never holds a text, nor a text's a picture. */
 static void test_endings(CliFixture *fixture, gconstpointer data)
 {
@@ -302,6 +326,7 @@ int main(int argc, char **argv)
     cli_test_add("/cli/books/diagram", test_diagram);
     cli_test_add("/cli/books/picture", test_picture);
     cli_test_add("/cli/books/small-picture", test_small_picture);
+    cli_test_add("/cli/books/torque-picture", test_torque_picture);
     cli_test_add("/cli/books/endings", test_endings);
     g_test_add_func("/cli/books/scale", test_scale);
     return g_test_run();
