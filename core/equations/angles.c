@@ -87,6 +87,26 @@ static TinkerExpression *by_time(const char *symbol, void *data)
     return definition != NULL ? tinker_expression_derivative(definition->is, by_time, data) : NULL;
 }
 
+static gboolean is_not_written(const TinkerEquations *equations, const char *symbol)
+{
+    for (guint i = 0; i < equations->not_written->len; i++) {
+        const TinkerNotWritten *missing = g_ptr_array_index(equations->not_written, i);
+        for (guint k = 0; k < missing->symbols->len; k++)
+            if (strcmp(g_ptr_array_index(missing->symbols, k), symbol) == 0) return TRUE;
+    }
+    return FALSE;
+}
+
+/* Whether numbers alone are known of a place: its acceleration would be taken for 0. */
+static gboolean is_known_by_numbers(const TinkerEquations *equations, const TinkerExpression *place)
+{
+    for (int i = 0; i < place->count; i++)
+        if (is_known_by_numbers(equations, place->parts[i])) return TRUE;
+    if (place->kind != TINKER_EXPRESSION_SYMBOL) return FALSE;
+    const TinkerEquationDefinition *definition = definition_named(equations, place->name);
+    return definition != NULL ? is_known_by_numbers(equations, definition->is) : is_not_written(equations, place->name);
+}
+
 static gboolean is_typed(const TinkerEquations *equations, const TinkerExpression *expression)
 {
     for (int i = 0; i < expression->count; i++)
@@ -166,6 +186,8 @@ static void add_tree(TinkerAngleForm *form, TinkerEquations *equations, const Ti
                               g_ptr_array_new_with_free_func((GDestroyNotify)tinker_expression_unref)};
     g_array_set_clear_func(tree->angles, angle_clear);
     const char *why = tinker_angle_tree_fill(tree, equations, line, near);
+    for (int axis = 0; axis < 2 && why == NULL; axis++)
+        if (is_known_by_numbers(equations, line->place[near][axis])) why = "what moves its support is not written";
     if (why != NULL) {
         add_reason(form, line->ends[1 - near], why);
         tree_free(tree);

@@ -52,6 +52,7 @@ static const char *const words[] = {
     NC_("equations", "velocity of that end"),
     NC_("equations", "vx"),
     NC_("equations", "vy"),
+    NC_("equations", "what moves its support is not written"),
     NC_("equations", "where it touches, in the body's axes"),
     NC_("equations", "where its end is"),
     NC_("equations", "where its motion has it"),

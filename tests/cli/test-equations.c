@@ -218,6 +218,21 @@ static void test_table_forces(CliFixture *fixture, gconstpointer data)
     cli_assert_holds(found, "q = x − 3 m ");
 }
 
+/* A pendulum whose pivot a table moves has no equation in its angle: what the pivot's acceleration is, nothing says. */
+static void test_table_pivot(CliFixture *fixture, gconstpointer data)
+{
+    g_autofree char *table = cli_write(fixture, "way.csv", "t,x\n0,0\n1,1.5\n2,3\n");
+    g_autofree char *scene =
+        cli_write(fixture, "scene.json",
+                  "{\"tinker\": 1, \"blocks\": [{\"type\": \"support\", \"name\": \"Wall\", \"solid\": false},"
+                  "{\"type\": \"mass\", \"name\": \"A\", \"position\": [3, 0]},"
+                  "{\"type\": \"rod\", \"ends\": [\"Wall\", \"A\"]},"
+                  "{\"type\": \"support-motion\", \"ends\": [\"Wall\"],"
+                  "\"waveform\": {\"table\": \"way.csv\", \"column\": 1}}]}");
+    g_autoptr(TestProgram) page = cli_run_well(fixture, "equations @scene.json --form angles");
+    cli_assert_holds(page->output, "A has no equations in angles: what moves its support is not written");
+}
+
 static void test_formats(CliFixture *fixture, gconstpointer data)
 {
     g_autofree char *scene = cli_write(fixture, "scene.json", HANGING);
@@ -250,6 +265,7 @@ int main(int argc, char **argv)
     cli_test_add("/cli/equations/angles", test_angles);
     cli_test_add("/cli/equations/table", test_table);
     cli_test_add("/cli/equations/table-forces", test_table_forces);
+    cli_test_add("/cli/equations/table-pivot", test_table_pivot);
     cli_test_add("/cli/equations/formats", test_formats);
     cli_test_add("/cli/equations/refused", test_refused);
     return g_test_run();
