@@ -84,13 +84,7 @@ GtkWidget *tinker_value_entry_new(TinkerValueTaken take, gpointer data)
     gtk_editable_set_alignment(GTK_EDITABLE(entry), 0.5F);
     gtk_widget_set_halign(entry, GTK_ALIGN_CENTER);
     tinker_entry_select_by_click(entry);
-    g_signal_connect(entry, "changed", G_CALLBACK(on_changed), NULL);
-    g_signal_connect(entry, "activate", G_CALLBACK(on_activate), NULL);
-    GtkEventController *focus = gtk_event_controller_focus_new(), *keys = gtk_event_controller_key_new();
-    g_signal_connect_swapped(focus, "leave", G_CALLBACK(put_text), entry);
-    gtk_widget_add_controller(entry, focus);
-    gtk_event_controller_set_propagation_phase(keys, GTK_PHASE_CAPTURE);
-    g_signal_connect(keys, "key-pressed", G_CALLBACK(on_key), entry);
-    gtk_widget_add_controller(entry, keys);
+    tinker_entry_listen(entry, G_CALLBACK(on_changed), G_CALLBACK(on_activate), G_CALLBACK(put_text),
+                        G_CALLBACK(on_key), entry);
     return entry;
 }

@@ -312,14 +312,8 @@ static GtkWidget *make_entry(TinkerPropertyField *field)
         tinker_entry_select_by_click(entry);
         gtk_widget_add_css_class(entry, "numeric");
     }
-    g_signal_connect_swapped(entry, "changed", G_CALLBACK(on_typed), field);
-    g_signal_connect_swapped(entry, "activate", G_CALLBACK(on_activate), field);
-    GtkEventController *focus = gtk_event_controller_focus_new(), *keys = gtk_event_controller_key_new();
-    g_signal_connect_swapped(focus, "leave", G_CALLBACK(commit), field);
-    gtk_widget_add_controller(entry, focus);
-    gtk_event_controller_set_propagation_phase(keys, GTK_PHASE_CAPTURE);
-    g_signal_connect(keys, "key-pressed", G_CALLBACK(on_key), field);
-    gtk_widget_add_controller(entry, keys);
+    tinker_entry_listen(entry, G_CALLBACK(on_typed), G_CALLBACK(on_activate), G_CALLBACK(commit), G_CALLBACK(on_key),
+                        field);
     return entry;
 }
 

@@ -26,3 +26,15 @@ void tinker_entry_select_by_click(GtkWidget *entry)
     g_signal_connect(controller, "event", G_CALLBACK(on_event), NULL);
     gtk_widget_add_controller(entry, controller);
 }
+
+void tinker_entry_listen(GtkWidget *entry, GCallback typed, GCallback taken, GCallback left, GCallback key, void *data)
+{
+    GtkEventController *focus = gtk_event_controller_focus_new(), *keys = gtk_event_controller_key_new();
+    g_signal_connect_swapped(entry, "changed", typed, data);
+    g_signal_connect_swapped(entry, "activate", taken, data);
+    g_signal_connect_swapped(focus, "leave", left, data);
+    gtk_widget_add_controller(entry, focus);
+    gtk_event_controller_set_propagation_phase(keys, GTK_PHASE_CAPTURE);
+    g_signal_connect(keys, "key-pressed", key, data);
+    gtk_widget_add_controller(entry, keys);
+}

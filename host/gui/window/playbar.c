@@ -149,15 +149,9 @@ static GtkWidget *time_entry(TinkerPlaybar *playbar)
     gtk_widget_set_valign(entry, GTK_ALIGN_CENTER);
     gtk_widget_add_css_class(entry, "numeric");
     gtk_accessible_update_property(GTK_ACCESSIBLE(entry), GTK_ACCESSIBLE_PROPERTY_LABEL, _("Time"), -1);
-    GtkEventController *focus = gtk_event_controller_focus_new(), *keys = gtk_event_controller_key_new();
-    g_signal_connect_swapped(focus, "leave", G_CALLBACK(forget_typed), playbar);
-    gtk_event_controller_set_propagation_phase(keys, GTK_PHASE_CAPTURE);
-    g_signal_connect(keys, "key-pressed", G_CALLBACK(on_time_key), playbar);
-    gtk_widget_add_controller(entry, focus);
-    gtk_widget_add_controller(entry, keys);
     tinker_entry_select_by_click(entry);
-    g_signal_connect_swapped(entry, "changed", G_CALLBACK(on_time_typed), playbar);
-    g_signal_connect_swapped(entry, "activate", G_CALLBACK(on_time_entered), playbar);
+    tinker_entry_listen(entry, G_CALLBACK(on_time_typed), G_CALLBACK(on_time_entered), G_CALLBACK(forget_typed),
+                        G_CALLBACK(on_time_key), playbar);
     return entry;
 }
 
