@@ -106,6 +106,13 @@ static void test_fields(void)
                     wind);
     g_assert_cmpint(tinker_painter_field_at(stage.frame, &stage.view, TEST_STAGE_WIDTH - 5, TEST_STAGE_HEIGHT - 5), ==,
                     TINKER_NO_BLOCK);
+    /* Something over the top of the view: they go down by as much. */
+    const double middle = (down->box[0] + down->box[2]) / 2, name = down->box[1];
+    stage.view.covered = 40;
+    test_stage_paint(&stage);
+    g_assert_cmpfloat_with_epsilon(test_stage_text(&stage, "Down")->box[1], name + 40, 1e-9);
+    g_assert_cmpint(tinker_painter_field_at(stage.frame, &stage.view, middle, 30), ==, TINKER_NO_BLOCK);
+    g_assert_cmpint(tinker_painter_field_at(stage.frame, &stage.view, middle, above + 40), ==, gravity);
     test_stage_close(&stage);
 }
 

@@ -9,6 +9,7 @@ typedef struct {
     double scale;              /* canvas units per m */
     double origin_x, origin_y; /* where the world's origin lies on the canvas */
     double width, height;      /* of the canvas */
+    double covered;            /* of the height at the top, by something that lies over it */
 } TinkerView;
 
 /* Shows the world box (least x, least y, greatest x, greatest y) with a margin (canvas units) on every side. An empty

@@ -58,9 +58,11 @@ static void drawing_box(TinkerPiece piece, const TinkerStyle *style, double box[
 /* Measures every field; one that has no room any more is left out. */
 static Slots find_slots(TinkerPicture *picture)
 {
-    Slots found = {.slots = g_array_new(FALSE, FALSE, sizeof(Slot)), .base = INSET + LEAST_SLOT};
+    Slots found = {.slots = g_array_new(FALSE, FALSE, sizeof(Slot))};
+    const double top = picture->view->covered + INSET;
     TinkerScene *scene = tinker_frame_scene(picture->frame);
     double left = INSET;
+    found.base = top + LEAST_SLOT;
     for (int32_t place = 0; place < picture->block_count; place++) {
         TinkerPiece piece;
         tinker_piece_init(&piece, picture->frame, tinker_scene_block_at(scene, place));
@@ -76,7 +78,7 @@ static Slots find_slots(TinkerPicture *picture)
         }
         if (left > INSET && left + slot.width > picture->view->width) break;
         left += slot.width + INSET;
-        found.base = fmax(found.base, INSET + slot.box[3] - slot.box[1]);
+        found.base = fmax(found.base, top + slot.box[3] - slot.box[1]);
         g_array_append_val(found.slots, slot);
     }
     return found;
@@ -174,7 +176,7 @@ TinkerBlockId tinker_painter_field_at(TinkerFrame *frame, const TinkerView *view
     Slots found = measure(&corner, frame, view, &options);
     TinkerBlockId hit = TINKER_NO_BLOCK;
     double bottom = found.base + NAME_GAP + found.name_height;
-    for (guint i = 0; i < found.slots->len && canvas_y >= INSET && canvas_y <= bottom; i++) {
+    for (guint i = 0; i < found.slots->len && canvas_y >= view->covered + INSET && canvas_y <= bottom; i++) {
         const Slot *slot = &g_array_index(found.slots, Slot, i);
         if (canvas_x >= slot->left && canvas_x <= slot->left + slot->width) hit = slot->block;
     }

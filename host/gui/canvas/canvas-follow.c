@@ -34,8 +34,7 @@ static gboolean is_in_view(const TinkerCanvas *canvas, const double place[2])
 /* Marks
  * ----------------------------------------------------------------------------------------------------------------- */
 
-/* Where the canvas can be seen from (widget units): notices lie over its top. */
-static double seen_from(const TinkerCanvas *canvas)
+double canvas_seen_from(const TinkerCanvas *canvas)
 {
     return canvas->cover != NULL ? fmin(gtk_widget_get_height(canvas->cover), canvas->view.height / 2) : 0;
 }
@@ -45,7 +44,7 @@ static void paint_mark(TinkerCanvas *canvas, cairo_t *cairo, const TinkerTheme *
                        const char *name)
 {
     const double *colour = theme->colours[TINKER_COLOUR_BODY_EDGE], *ink = theme->colours[TINKER_COLOUR_TEXT];
-    const double off = MARK + EDGE, top = seen_from(canvas);
+    const double off = MARK + EDGE, top = canvas_seen_from(canvas);
     const double x = CLAMP(place[0], off, fmax(canvas->view.width - off, off));
     const double y = CLAMP(place[1], top + off, fmax(canvas->view.height - off, top + off));
     cairo_text_extents_t extents;

@@ -77,6 +77,9 @@ void canvas_view_changed(TinkerCanvas *canvas);
 /* Start velocities and warning marks over the scene; canvas-marks.c. */
 void canvas_paint_marks(TinkerCanvas *canvas, cairo_t *cairo, TinkerFrame *frame, const TinkerTheme *theme);
 
+/* From which height on the canvas can be seen (widget units): notices lie over its top. canvas-follow.c. */
+double canvas_seen_from(const TinkerCanvas *canvas);
+
 /* Marks of bodies that are out of the view; takes the view along with what is followed. canvas-follow.c. */
 void canvas_paint_edge_marks(TinkerCanvas *canvas, cairo_t *cairo, TinkerFrame *frame, const TinkerTheme *theme);
 void canvas_follow(TinkerCanvas *canvas);

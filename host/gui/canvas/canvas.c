@@ -183,8 +183,12 @@ static void paint_band(TinkerCanvas *canvas, cairo_t *cairo, const TinkerTheme *
 /* The view in units of what is drawn larger. */
 static TinkerView larger(const TinkerView *view, double factor)
 {
-    return (TinkerView){view->scale / factor, view->origin_x / factor, view->origin_y / factor, view->width / factor,
-                        view->height / factor};
+    return (TinkerView){.scale = view->scale / factor,
+                        .origin_x = view->origin_x / factor,
+                        .origin_y = view->origin_y / factor,
+                        .width = view->width / factor,
+                        .height = view->height / factor,
+                        .covered = view->covered / factor};
 }
 
 /* A frame as a ghost over the scene, of which `alpha` is seen. */
@@ -237,6 +241,7 @@ static void paint(TinkerCanvas *canvas, cairo_t *cairo)
     TinkerFrame *frame = tinker_player_frame(canvas->player);
     TinkerPaintOptions options = paint_options(canvas);
     if (frame == NULL) return;
+    canvas->view.covered = canvas_seen_from(canvas);
     const TinkerView seen = canvas->view;
     const double factor = canvas_magnification(canvas);
     cairo_save(cairo);
@@ -266,6 +271,7 @@ void tinker_canvas_draw_for_paper(TinkerCanvas *canvas, cairo_t *cairo)
     options.memory = NULL;
     options.faults = NULL;
     options.texts = texts;
+    canvas->view.covered = 0; /* no notice lies over it there */
     tinker_paint_scene(cairo, frame, &canvas->view, &options);
     paint_arrows(canvas, cairo, &options, TINKER_NO_BLOCK);
 }
