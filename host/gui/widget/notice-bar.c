@@ -5,6 +5,7 @@
 #include <glib/gi18n.h>
 #include <string.h>
 
+#include "gui/widget/beside.h"
 #include "gui/widget/unparent.h"
 
 struct _TinkerNoticeBar {
@@ -104,7 +105,11 @@ static void fill(TinkerNoticeBar *bar)
     gtk_widget_set_visible(bar->count, bar->listed->len > 1);
     gtk_widget_set_visible(bar->next, bar->listed->len > 1);
     gtk_widget_set_visible(bar->cure, notice->button != NULL);
-    if (notice->button != NULL) gtk_button_set_label(GTK_BUTTON(bar->cure), notice->button);
+    gtk_button_set_label(GTK_BUTTON(bar->cure), notice->button != NULL ? notice->button : "");
+    GtkLabel *cure = GTK_LABEL(gtk_button_get_child(GTK_BUTTON(bar->cure)));
+    gtk_label_set_wrap(cure, TRUE); /* where all of the bar is too narrow */
+    gtk_label_set_wrap_mode(cure, PANGO_WRAP_WORD_CHAR);
+    gtk_label_set_natural_wrap_mode(cure, GTK_NATURAL_WRAP_NONE);
 }
 
 static void show(TinkerNoticeBar *bar)
@@ -200,7 +205,6 @@ static void add_parts(TinkerNoticeBar *bar)
     bar->text = gtk_button_new();
     gtk_button_set_child(GTK_BUTTON(bar->text), bar->label);
     gtk_widget_add_css_class(bar->text, "flat");
-    gtk_widget_set_hexpand(bar->text, TRUE);
     gtk_widget_set_tooltip_text(bar->text, _("Select what this is about"));
     bar->count = gtk_label_new(NULL);
     gtk_widget_add_css_class(bar->count, "numeric");
@@ -209,11 +213,15 @@ static void add_parts(TinkerNoticeBar *bar)
     gtk_widget_set_tooltip_text(bar->next, _("Next Notice"));
     gtk_accessible_update_property(GTK_ACCESSIBLE(bar->next), GTK_ACCESSIBLE_PROPERTY_LABEL, _("Next Notice"), -1);
     bar->cure = gtk_button_new();
-    GtkWidget *parts[] = {bar->text, bar->count, bar->next, bar->cure};
+    GtkWidget *parts[] = {bar->count, bar->next, bar->cure}, *buttons = gtk_box_new(GTK_ORIENTATION_HORIZONTAL, 6);
     for (gsize i = 0; i < G_N_ELEMENTS(parts); i++) {
         gtk_widget_set_valign(parts[i], GTK_ALIGN_CENTER);
-        gtk_info_bar_add_child(GTK_INFO_BAR(bar->bar), parts[i]);
+        gtk_box_append(GTK_BOX(buttons), parts[i]);
     }
+    gtk_widget_set_valign(bar->text, GTK_ALIGN_CENTER);
+    GtkWidget *line = tinker_beside_new(bar->text, buttons);
+    gtk_widget_set_hexpand(line, TRUE);
+    gtk_info_bar_add_child(GTK_INFO_BAR(bar->bar), line);
     g_signal_connect_swapped(bar->text, "clicked", G_CALLBACK(on_text), bar);
     g_signal_connect_swapped(bar->next, "clicked", G_CALLBACK(on_next), bar);
     g_signal_connect_swapped(bar->cure, "clicked", G_CALLBACK(on_cure), bar);

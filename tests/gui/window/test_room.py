@@ -2,7 +2,7 @@
 """Where the parts of the window are: what comes and goes moves nothing, and there is room for what matters."""
 import re
 
-from harness import App, check, check_equal, main, mass, scene, support, wait
+from harness import App, check, check_equal, main, mass, scene, spring, support, wait
 from harness import colours
 
 BODY_EDGE = (0x27, 0x49, 0x6d)
@@ -32,6 +32,34 @@ def test_notice_is_about_nothing_beneath_it(display):
     with App(display, scene(support("Floor", 0, -0.5), mass("Box", 0, -0.4), mass("High", 0, 5), width=4)) as app:
         notice = app.settled(app.find("button", re.compile("^Box starts ")))
         check(app.at(0, 5.4)[1] > notice[1] + notice[3], "the highest block is below the notice")
+
+
+def test_field_is_not_beneath_a_notice(display):
+    """Its arrow goes down for the notice, where a click finds it, and back up once that is closed."""
+    with App(display, scene(GRAVITY, support("Floor", 0, 0), mass("Box", 0, 0.3))) as app:
+        notice = app.settled(app.find("button", re.compile("^Box starts ")))
+        left, top, _, _ = app.canvas_box()
+        app._click_at(left + 30, notice[1] + notice[3] + 40)
+        app.wait_read("Appearance", "Name", "Gravity")
+        app.click("Close Notice")
+        app.click_world(3, -2)
+        app.gone("text", "Name")
+        app._click_at(left + 30, top + 40)
+        app.wait_read("Appearance", "Name", "Gravity")
+
+
+def test_notice_in_a_small_window(display):
+    """At 800 by 500 pixels, the least there may be: its text is no column of letters, and its buttons are inside."""
+    with App(display, scene(support("Floor", 0, 0), mass("Box", 0, 0.3), spring("Link", "Box", (2, 3)))) as app:
+        widest = max(app.windows(), key=lambda window: window[1][2])  # others are tips
+        app.xdotool("windowsize", widest[0], 800, 500)
+        wait(lambda: width_of_window(app) == 800, "the window to be small")
+        left, top, width, height = app.canvas_box()
+        text = app.settled(app.find("button", re.compile("^Box starts ")))
+        check(text[2] > 200 and text[3] < height / 3, f"the text of the notice is {text[2]} by {text[3]} px")
+        for name in ("Next Notice", "Close Notice"):
+            x, y, across, down = app.settled(app.find("button", name))
+            check(left <= x and x + across <= left + width and y + down <= top + height / 2, f"{name} is over the canvas")
 
 
 def test_mark_at_the_edge_is_not_beneath_a_notice(display):

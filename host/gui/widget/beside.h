@@ -1,0 +1,13 @@
+/* Two widgets side by side, the first with the room that the second leaves; one below the other where that would be too
+ * little for the first, a text that wraps. */
+#ifndef TINKER_GUI_BESIDE_H
+#define TINKER_GUI_BESIDE_H
+
+#include <gtk/gtk.h>
+
+#define TINKER_TYPE_BESIDE (tinker_beside_get_type())
+G_DECLARE_FINAL_TYPE(TinkerBeside, tinker_beside, TINKER, BESIDE, GtkWidget)
+
+GtkWidget *tinker_beside_new(GtkWidget *first, GtkWidget *second);
+
+#endif
