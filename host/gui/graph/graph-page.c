@@ -14,7 +14,8 @@
 struct _TinkerGraphPage {
     GtkWidget parent_instance;
     TinkerDocument *document;
-    GArray *blocks; /* of TinkerBlockId: those in the list */
+    GArray *blocks;        /* of TinkerBlockId: those in the list */
+    TinkerBlockId offered; /* of them, unless the user chose another one */
     GtkWidget *row, *block, *quantity, *against, *energy, *stack;
     gboolean updating;
 };
@@ -111,8 +112,10 @@ static void on_changed(TinkerGraphPage *page)
         g_ptr_array_add(names, (gpointer)tinker_scene_block_name(scene, block));
     }
     if (set_texts(page->block, names)) {
+        const gboolean is_own = chosen != page->offered;
         choose_block(page, likely);
-        choose_block(page, chosen);
+        page->offered = chosen_block(page);
+        if (is_own) choose_block(page, chosen);
     }
     page->updating = FALSE;
     list_quantities(page);
@@ -214,6 +217,7 @@ static void tinker_graph_page_init(TinkerGraphPage *page)
     GtkLayoutManager *layout = gtk_widget_get_layout_manager(GTK_WIDGET(page));
     gtk_orientable_set_orientation(GTK_ORIENTABLE(layout), GTK_ORIENTATION_VERTICAL);
     page->blocks = g_array_new(FALSE, FALSE, sizeof(TinkerBlockId));
+    page->offered = TINKER_NO_BLOCK;
 }
 
 GtkWidget *tinker_graph_page_new(TinkerDocument *document, TinkerPlayer *player)

@@ -39,6 +39,14 @@ def test_few_quantities_are_in_one_menu(display):
         check_equal(app.saved()["graphs"][0]["quantity"], "compression", "quantity of the graph in the file")
 
 
+def test_page_offers_what_moves(display):
+    """Whichever block comes first, and whatever an empty canvas had to offer before."""
+    with App(display, scene(GRAVITY, support("Floor", 0, -3), mass("Ball", 0, 0), duration=0.1)) as app:
+        app.click("Graphs", role="tab")
+        app.click("Add Graph")
+        check_equal(app.saved()["graphs"][0]["block"], "Ball", "block of the graph in the file")
+
+
 def test_menu_of_a_block_adds_one(display):
     with App(display, falling()) as app:
         app.show_width()
