@@ -46,13 +46,21 @@ static const char *compose(TinkerDimension dimension, const char *const *bases)
     return intern(text->str);
 }
 
-/* "N·s²/m" as "N s^2/m". */
-static const char *in_ascii(const char *unit)
+const char *tinker_unit_in_ascii(const char *unit)
 {
     g_autoptr(GString) text = g_string_new(unit);
     g_string_replace(text, "·", " ", 0);
     g_string_replace(text, "²", "^2", 0);
     g_string_replace(text, "³", "^3", 0);
+    return intern(text->str);
+}
+
+const char *tinker_unit_in_print(const char *unit)
+{
+    g_autoptr(GString) text = g_string_new(unit);
+    g_string_replace(text, "*", "·", 0);
+    g_string_replace(text, "^2", "²", 0);
+    g_string_replace(text, "^3", "³", 0);
     return intern(text->str);
 }
 
@@ -68,7 +76,7 @@ const char *tinker_unit_si_symbol(TinkerDimension dimension)
 {
     const TinkerDimension angle = {0, 0, 0, 1};
     if (tinker_dimension_equal(dimension, angle)) return "rad";
-    return in_ascii(tinker_unit_for(dimension, TINKER_UNIT_SYSTEM_SI));
+    return tinker_unit_in_ascii(tinker_unit_for(dimension, TINKER_UNIT_SYSTEM_SI));
 }
 
 const char *tinker_dimension_name(TinkerDimension dimension)

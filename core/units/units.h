@@ -47,6 +47,10 @@ const char *tinker_unit_for(TinkerDimension dimension, TinkerUnitSystem system);
  * Angles are "rad" here. Interned. */
 const char *tinker_unit_si_symbol(TinkerDimension dimension);
 
+/* A unit in the spelling of files, "N s^2/m" of "N·s²/m", and as people read it, "N·s²/m" of "N*s^2/m". Interned. */
+const char *tinker_unit_in_ascii(const char *unit);
+const char *tinker_unit_in_print(const char *unit);
+
 /* A value for people: `decimals` digits behind the point and the unit, "0.06852 slug". `unit` is text as
  * tinker_unit_parse takes it, or NULL for tinker_unit_for. (transfer full) */
 char *tinker_quantity_format(double si, TinkerDimension dimension, const char *unit, TinkerUnitSystem system,

@@ -20,6 +20,23 @@ static void test_default_record(CliFixture *fixture, gconstpointer data)
     cli_assert_holds(program->error, "evaluations");
 }
 
+/* A torque and an energy have one dimension: each is recorded in the unit of its kind. */
+static void test_torque_header(CliFixture *fixture, gconstpointer data)
+{
+    g_autofree char *scene = cli_write(
+        fixture, "a.json",
+        "{\"tinker\": 1, \"run\": {\"duration\": 0.1}, \"blocks\": [{\"type\": \"support\", \"solid\": false},"
+        "{\"type\": \"disc\"}, {\"type\": \"pin\", \"ends\": [\"Support 0\", \"Disc 0\"]},"
+        "{\"type\": \"torsional-spring\", \"ends\": [\"Support 0\", \"Disc 0\"]}]}");
+    g_autoptr(TestProgram) program = cli_run_well(
+        fixture,
+        "run @a.json --at 0 --csv - --columns 'Torsional Spring 0.torque,Torsional Spring 0.energy,Pin 0.torque'");
+    g_assert_true(g_str_has_prefix(program->output, "time [s],Torsional Spring 0.torque [N m],"
+                                                    "Torsional Spring 0.energy [J],Pin 0.torque [N m]\n"));
+    g_autoptr(TestProgram) shown = cli_run_well(fixture, "plugins show pin");
+    cli_assert_holds(shown->output, "N·m, lbf·ft");
+}
+
 static void test_values(CliFixture *fixture, gconstpointer data)
 {
     g_autofree char *scene = cli_write(fixture, "a.json", FREE_FALL);
@@ -180,6 +197,7 @@ int main(int argc, char **argv)
 {
     g_test_init(&argc, &argv, NULL);
     cli_test_add("/run/default-record", test_default_record);
+    cli_test_add("/run/torque-header", test_torque_header);
     cli_test_add("/run/values", test_values);
     cli_test_add("/run/times", test_times);
     cli_test_add("/run/recording-changes-nothing", test_recording_changes_nothing);

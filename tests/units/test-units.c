@@ -86,6 +86,8 @@ static void test_names(void)
     g_assert_cmpstr(tinker_unit_si_symbol((TinkerDimension){1, 0, -1, 0}), ==, "N s/m");
     g_assert_cmpstr(tinker_unit_si_symbol((TinkerDimension){1, 2, -1, 0}), ==, "kg m^2/s");
     g_assert_cmpstr(tinker_unit_si_symbol(angle), ==, "rad");
+    g_assert_cmpstr(tinker_unit_in_print("N*s^2/m^3"), ==, "N·s²/m³");
+    g_assert_cmpstr(tinker_unit_in_ascii("N·s²/m³"), ==, "N s^2/m^3");
     g_assert_cmpstr(tinker_unit_si_symbol((TinkerDimension){0, 0, -3, -1}), ==, "1/s^3/rad");
     g_assert_cmpstr(tinker_dimension_name(stiffness), ==, "stiffness");
     g_assert_cmpstr(tinker_dimension_name((TinkerDimension){2, 1, 0, 0}), ==, "kg^2 m");

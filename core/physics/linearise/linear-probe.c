@@ -13,8 +13,11 @@
 
 static const char *unit_of_column(const TinkerBlockClass *block_class, int32_t column)
 {
-    for (int32_t p = 0; p < block_class->property_count; p++)
-        if (block_class->first_columns[p] == column) return tinker_unit_si_symbol(block_class->properties[p].dimension);
+    for (int32_t p = 0; p < block_class->property_count; p++) {
+        const TinkerPropertyType *type = &block_class->properties[p];
+        if (block_class->first_columns[p] == column)
+            return tinker_block_class_si_unit(block_class, type->id, type->dimension);
+    }
     return "1";
 }
 

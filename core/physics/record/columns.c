@@ -24,7 +24,9 @@ void tinker_columns_add_quantity(GArray *columns, TinkerScene *scene, TinkerBloc
         .name = g_strconcat(tinker_scene_owner_name(scene, block), ".", type.id, NULL),
         .title = type.title,
         .dimension = type.dimension,
-        .unit = tinker_unit_si_symbol(type.dimension),
+        .unit = block == TINKER_NO_BLOCK
+                    ? tinker_unit_si_symbol(type.dimension)
+                    : tinker_block_class_si_unit(tinker_scene_block_class(scene, block), type.id, type.dimension),
     };
     g_array_append_val(columns, column);
 }

@@ -226,3 +226,11 @@ const char *tinker_block_class_unit(const TinkerBlockClass *block_class, const c
     }
     return tinker_unit_for(dimension, english ? TINKER_UNIT_SYSTEM_ENGLISH : TINKER_UNIT_SYSTEM_SI);
 }
+
+const char *tinker_block_class_si_unit(const TinkerBlockClass *block_class, const char *id, TinkerDimension dimension)
+{
+    const char *shown = tinker_block_class_unit(block_class, id, dimension, FALSE);
+    TinkerUnit unit;
+    const gboolean is_si = shown[0] != '\0' && tinker_unit_parse(shown, &unit, NULL) && unit.factor == 1;
+    return is_si ? tinker_unit_in_ascii(shown) : tinker_unit_si_symbol(dimension);
+}

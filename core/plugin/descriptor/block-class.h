@@ -63,4 +63,8 @@ gboolean tinker_block_class_is_shown_elsewhere(const TinkerBlockClass *block_cla
 const char *tinker_block_class_unit(const TinkerBlockClass *block_class, const char *id, TinkerDimension dimension,
                                     int english);
 
+/* The SI unit that files and tables have it in, "N m/rad": as the block chose it where that is one of SI, as a torque's
+ * "N m", which an energy's "J" is the same dimension as; else that of its dimension. Interned. */
+const char *tinker_block_class_si_unit(const TinkerBlockClass *block_class, const char *id, TinkerDimension dimension);
+
 #endif

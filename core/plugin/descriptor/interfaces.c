@@ -88,11 +88,13 @@ static gboolean add_units(TinkerBlockClass *block_class, const void *vtable, GPt
 {
     TinkerUnits *units = tinker_struct_copy(vtable, "\"" TINKER_UNITS_INTERFACE "\"", SHAPE(TinkerUnits), arena, error);
     if (units == NULL) return FALSE;
-    const TinkerUnitChoice *choices =
+    TinkerUnitChoice *choices =
         tinker_span_copy(&units->choices, "unit choices", TINKER_SHAPE_PLAIN(TinkerUnitChoice), arena, error);
     if (choices == NULL) return FALSE;
     for (int32_t i = 0; i < units->choices.count; i++) {
         if (!check_unit_choice(block_class, &choices[i], error)) return FALSE;
+        if (choices[i].si != NULL) choices[i].si = tinker_unit_in_print(choices[i].si);
+        if (choices[i].english != NULL) choices[i].english = tinker_unit_in_print(choices[i].english);
     }
     units->choices.data = choices;
     units->choices.stride = (int32_t)sizeof(TinkerUnitChoice);

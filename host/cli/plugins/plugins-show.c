@@ -97,7 +97,7 @@ static void show_properties(const TinkerBlockClass *block_class, FILE *file)
         tinker_text_table_add(table, property->group);
         tinker_text_table_add(table,
                               (property->flags & TINKER_TEXT_POINTS) != 0 ? "points" : kind_name(property->kind));
-        tinker_text_table_add(table, tinker_unit_si_symbol(property->dimension));
+        tinker_text_table_add(table, tinker_block_class_si_unit(block_class, property->id, property->dimension));
         tinker_text_table_add(table, units);
         tinker_text_table_add(table, value);
         tinker_text_table_add(table, range);
@@ -124,7 +124,7 @@ static void show_quantities(const TinkerBlockClass *block_class, FILE *file)
         g_autofree char *units = display_units(block_class, quantity->id, quantity->dimension);
         tinker_text_table_add(table, quantity->id);
         tinker_text_table_add(table, quantity->title);
-        tinker_text_table_add(table, tinker_unit_si_symbol(quantity->dimension));
+        tinker_text_table_add(table, tinker_block_class_si_unit(block_class, quantity->id, quantity->dimension));
         tinker_text_table_add(table, units);
         tinker_text_table_add(table, quantity->flags & TINKER_RECORDED ? "always" : "if asked");
         tinker_text_table_add(table, quantity->description);
