@@ -185,10 +185,11 @@ static gboolean allot_jacobians(TinkerModel *model, GError **error)
     return !model->lacks_memory || lack_memory(model, error);
 }
 
-/* The larger side of the box about all points that something can be at, for the places in them. */
+/* The larger side of the box about all points that something can be at; where these are one place but for the places
+ * in them, as of two discs on one pin, the largest radius of gyration. */
 static double extent_of(const TinkerModel *model)
 {
-    double far = 0;
+    double far = 0, gyration = 0;
     double least[2] = {INFINITY, INFINITY}, greatest[2] = {-INFINITY, -INFINITY};
     for (int32_t i = 0; i < model->points; i++) {
         if (i >= model->bodies && i < model->first_attachment) continue;
@@ -200,7 +201,11 @@ static double extent_of(const TinkerModel *model)
             far = MAX(far, fabs(place[k] + model->origin[k]));
         }
     }
-    return MAX(MAX(greatest[0] - least[0], greatest[1] - least[1]), TINKER_LEAST_EXTENT * far);
+    const double extent = MAX(greatest[0] - least[0], greatest[1] - least[1]), rounding = TINKER_LEAST_EXTENT * far;
+    if (extent > rounding) return extent;
+    for (int32_t turn = 0; turn < model->turning; turn++)
+        gyration = MAX(gyration, model->turns[turn].gyration);
+    return MAX(rounding, gyration);
 }
 
 /* The rows' lengths: the block's own word, else the largest distance between its ends at the start; of ends in one
