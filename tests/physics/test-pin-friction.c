@@ -201,6 +201,19 @@ static void test_share(void)
     g_assert_true(told);
 }
 
+/* A pin that alone holds what it holds has a force that is determined, beside rods that are one too many. */
+static void test_not_shared(void)
+{
+    g_autoptr(PhysicsRun) run =
+        physics_run(&(PhysicsOptions){.duration = 0.1}, CONTACT_WEIGHT ANCHOR
+                    "{'type': 'bar', 'position': [0.5, 0], 'length': 1}, {'type': 'pin', 'ends': ['Support 0',"
+                    " {'block': 'Bar 0', 'at': [-0.5, 0]}], 'friction_radius': 0.1, 'friction': 0.3}, {'type': 'mass',"
+                    " 'position': [1, -1]}, {'type': 'rod', 'ends': [{'block': 'Bar 0', 'at': [0.5, 0]}, 'Mass 0']},"
+                    "{'type': 'rod', 'ends': [{'block': 'Bar 0', 'at': [0.5, 0]}, 'Mass 0']}");
+    for (guint i = 0; i < run->summary->warnings->len; i++)
+        g_assert_null(strstr(g_ptr_array_index(run->summary->warnings, i), "share"));
+}
+
 static void add_tests(void)
 {
     g_test_add_func("/pin-friction/spins-down", test_spins_down);
@@ -210,6 +223,7 @@ static void add_tests(void)
     g_test_add_func("/pin-friction/free", test_free);
     g_test_add_func("/pin-friction/refused", test_refused);
     g_test_add_func("/pin-friction/share", test_share);
+    g_test_add_func("/pin-friction/not-shared", test_not_shared);
     g_test_add_func("/pin-friction/one-place", test_one_place);
 }
 

@@ -16,6 +16,7 @@
 #include <string.h>
 
 #include "physics/constraint/constraints.h"
+#include "physics/contact/tolerances.h"
 
 #define MOST_PASSES 50
 
@@ -157,7 +158,7 @@ gboolean tinker_contact_pin_is_determined(TinkerModel *model, const TinkerPlate 
     for (int k = 0; all->redundant > 0 && k < 2; k++) {
         memset(asked, 0, (gsize)all->rows * sizeof(double));
         asked[plate->joint_row + k] = 1;
-        if (tinker_constraints_solve(model, asked) > 1e-6) return FALSE;
+        if (tinker_constraints_solve(model, asked) > TINKER_SHARED_PIN) return FALSE;
     }
     return TRUE;
 }

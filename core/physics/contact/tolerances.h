@@ -14,5 +14,8 @@
 /* No unit; of what meets in an equation: smaller misses of an elimination are rounding; a solve that leaves more than
  * half of one is the last. Held by: physics-contact-elimination. */
 #define TINKER_MISS_ROUNDING 1e-14
+/* No unit; of a force along one of its rows: what the other rows of joints leave of it, where they hold the same, so
+ * that the pin's share is not determined. Held by: -. */
+#define TINKER_SHARED_PIN 1e-6
 
 #endif
