@@ -256,6 +256,22 @@ static void test_deaf_parent(void)
     g_assert_null(strstr(output, " \n"));
 }
 
+/* What resists turning is tried between bodies that turn, whatever values it is given. */
+static void test_friction(void)
+{
+    g_autofree char *path = g_build_filename(g_getenv("TINKER_TEST_PLUGINS"), "tinker-pin.so", NULL);
+    static const char *const rules[] = {"run", "saved"};
+    for (int seed = 1; seed <= 4; seed++) {
+        for (gsize i = 0; i < G_N_ELEMENTS(rules); i++) {
+            g_autofree char *number = g_strdup_printf("%d", seed);
+            const char *arguments[] = {"plugins", "check", path, "--rule", rules[i], "--seed", number, NULL};
+            g_autoptr(TestProgram) program = test_program_run(arguments);
+            g_assert_cmpint(program->status, ==, 0);
+            g_assert_nonnull(strstr(program->output, "1 passed, 0 failed, 0 do not apply"));
+        }
+    }
+}
+
 static void add_folder(const char *folder)
 {
     g_autoptr(GDir) dir = g_dir_open(folder, 0, NULL);
@@ -284,6 +300,7 @@ int main(int argc, char **argv)
     }
     g_test_add_func("/conformance/repeated", test_repeated);
     g_test_add_func("/conformance/usage", test_usage);
+    g_test_add_func("/conformance/friction", test_friction);
     g_test_add_func("/conformance/deaf-parent", test_deaf_parent);
     return g_test_run();
 }

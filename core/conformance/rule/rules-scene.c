@@ -20,10 +20,18 @@ typedef struct {
     const TinkerBlockClass *mover, *support;
 } Bodies;
 
+/* What speaks of angles, and what resists turning, works between bodies that have an angle. */
+static gboolean is_for_what_turns(const TinkerBlockClass *block_class)
+{
+    const TinkerPhysics *physics = block_class->physics;
+    return tinker_block_class_speaks_of_angles(block_class) ||
+           (physics != NULL && physics->constraint != NULL && physics->constraint->friction != NULL);
+}
+
 static Bodies find_bodies(KitCheck *check)
 {
     Bodies bodies = {NULL, NULL};
-    const int32_t wanted = tinker_block_class_speaks_of_angles(check->block_class) ? 3 : 2; // degrees of freedom
+    const int32_t wanted = is_for_what_turns(check->block_class) ? 3 : 2; // degrees of freedom
     g_autoptr(GPtrArray) libraries = tinker_catalogue_libraries(check->catalogue);
     g_autoptr(GPtrArray) types = tinker_libraries_types(libraries);
     for (guint i = 0; i < types->len; i++) {
