@@ -1,4 +1,5 @@
-/* Closed forms of rolling, tipping and rocking, and times of impacts from the elliptic integrals of a rocking block. */
+/* Closed forms of rolling, friction of pins, tipping and rocking, and times of impacts from the elliptic integrals of a
+ * rocking block. */
 #include "rolling-cases.h"
 
 #include <math.h>
@@ -35,6 +36,50 @@ void check_slipping_to_rolling(const char *path)
         CLOSE(test_table_value(record, row, "Disc.vx"), thrown - friction * GRAVITY * slipped, 1e-9);
         CLOSE(test_table_value(record, row, "Disc.angular velocity"), -2.0 * friction * GRAVITY * slipped / radius,
               1e-8);
+    }
+}
+
+/* With a = (2 / 3) g rho / R a disc stops at t = v / a, v^2 / 2 a farther on, and has turned by what it has rolled. */
+void check_rolling_resistance(const char *path)
+{
+    const struct {
+        const char *x, *vx, *angle;
+        double radius;
+    } wheels[] = {{"Small wheel.x", "Small wheel.vx", "Small wheel.angle", 0.4},
+                  {"Large wheel.x", "Large wheel.vx", "Large wheel.angle", 0.8}};
+    const double thrown = 2.5, resistance = 0.04, times[] = {2.0, 3.8, 5.0, 7.6, 9.0};
+    g_autoptr(TestTable) record = measure_at(path, times, G_N_ELEMENTS(times));
+    for (gsize i = 0; i < G_N_ELEMENTS(wheels); i++) {
+        const double a = 2.0 / 3.0 * GRAVITY * resistance / wheels[i].radius;
+        for (gsize row = 0; row < G_N_ELEMENTS(times); row++) {
+            const double t = fmin(times[row], thrown / a), way = thrown * t - 0.5 * a * t * t;
+            CLOSE(test_table_value(record, row, wheels[i].x), way, 1e-8);
+            CLOSE(test_table_value(record, row, wheels[i].vx), thrown - a * t, 1e-9);
+            CLOSE(test_table_value(record, row, wheels[i].angle), -way / wheels[i].radius, 1e-8);
+        }
+    }
+}
+
+/* A wheel of inertia I on a pin that carries its weight slows down by r mu / sqrt(1 + mu^2) m g / I, and stops. */
+void check_pin_friction(const char *path)
+{
+    const struct {
+        const char *rate, *angle, *torque;
+        double arm; /* of friction: 0.1 m and 0.2 m times 3/4 : 5/4 */
+    } wheels[] = {{"Thin axle.angular velocity", "Thin axle.angle", "Thin pin.torque", 0.06},
+                  {"Thick axle.angular velocity", "Thick axle.angle", "Thick pin.torque", 0.12}};
+    const double turned = 20.0, times[] = {2.0, 5.0, 7.0, 14.0};
+    g_autoptr(TestTable) record = measure_at(path, times, G_N_ELEMENTS(times));
+    for (gsize i = 0; i < G_N_ELEMENTS(wheels); i++) {
+        const double a = wheels[i].arm * GRAVITY / (0.5 * 0.8 * 0.8);
+        for (gsize row = 0; row < G_N_ELEMENTS(times); row++) {
+            const double t = fmin(times[row], turned / a);
+            CLOSE(test_table_value(record, row, wheels[i].rate), turned - a * t, 1e-8);
+            CLOSE(test_table_value(record, row, wheels[i].angle), turned * t - 0.5 * a * t * t, 1e-7);
+        }
+        g_autoptr(TestTable) torque = measure_columns_at(path, "2,14", wheels[i].torque);
+        CLOSE(fabs(test_table_value(torque, 0, wheels[i].torque)), 4.0 * GRAVITY * wheels[i].arm, 1e-9);
+        CLOSE(test_table_value(torque, 1, wheels[i].torque), 0.0, 1e-9);
     }
 }
 
