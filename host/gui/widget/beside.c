@@ -63,9 +63,10 @@ static void allocate(GtkWidget *widget, int width, int height, int baseline)
     const int second = MIN(natural(beside->second, GTK_ORIENTATION_HORIZONTAL, -1), width);
     const int above = left > 0 ? height : natural(beside->first, GTK_ORIENTATION_VERTICAL, width);
     const int top = left > 0 ? 0 : MIN(above + GAP, height);
-    gtk_widget_size_allocate(beside->first, &(GtkAllocation){mirrored ? width - first : 0, 0, first, above}, -1);
-    gtk_widget_size_allocate(beside->second, &(GtkAllocation){mirrored ? 0 : width - second, top, second, height - top},
-                             -1);
+    const GtkAllocation of_first = {mirrored ? width - first : 0, 0, first, above};
+    const GtkAllocation of_second = {mirrored ? 0 : width - second, top, second, height - top};
+    gtk_widget_size_allocate(beside->first, &of_first, -1);
+    gtk_widget_size_allocate(beside->second, &of_second, -1);
 }
 
 static GtkSizeRequestMode request_mode(GtkWidget *widget)
