@@ -206,7 +206,7 @@ TinkerWaveformEvaluator *tinker_waveform_evaluator_new(TinkerWaveform *waveform,
     evaluator->smooth = smooth && is_value_table(waveform);
     g_autoptr(GError) error = NULL;
     if (evaluator->smooth && !tinker_table_prepare_spline(waveform->table, &error))
-        g_error("failed to allocate: %s", error->message);
+        g_error("failed to allocate what a table needs: %s", error->message);
     if (waveform->program != NULL) {
         tinker_program_state_init(&evaluator->piece, waveform->program, FALSE);
         tinker_program_state_init(&evaluator->search, waveform->program, TRUE);

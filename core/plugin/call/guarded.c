@@ -52,7 +52,7 @@ void *tinker_guarded_try_new(gsize bytes, const TinkerBlockClass *owner)
 void *tinker_guarded_new(gsize bytes, const TinkerBlockClass *owner)
 {
     void *memory = tinker_guarded_try_new(bytes, owner);
-    if (memory == NULL) g_error("there is no memory for the scratch of a plugin: %" G_GSIZE_FORMAT " bytes", bytes);
+    if (memory == NULL) g_error("failed to allocate %" G_GSIZE_FORMAT " bytes for a plugin", bytes);
     return memory;
 }
 

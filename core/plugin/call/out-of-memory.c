@@ -6,7 +6,7 @@
 #include "plugin/call/crash.h"
 #include "plugin/call/process-end.h"
 
-/* GLib's message of this end, of which the last words are the size. */
+/* What GLib's message of this end says before the size, and ours where we end for the same reason. */
 #define REFUSED "failed to allocate "
 
 static void on_message(const char *domain, GLogLevelFlags level, const char *message, gpointer unused)
