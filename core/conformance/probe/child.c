@@ -12,9 +12,12 @@
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
+#include <time.h>
 #include <unistd.h>
 
 #define POLL_US 300
+/* A child that does nothing is waited for so many times the time that it may work. */
+#define WAITS_AS_LONG 6.0
 
 static gboolean fail(GError **error, const char *what)
 {
@@ -80,13 +83,23 @@ static gboolean has_ended(pid_t child)
     return waitid(P_PID, (id_t)child, &info, WEXITED | WNOHANG | WNOWAIT) == 0 && info.si_pid == child;
 }
 
-/* FALSE where the time was up. In the end its group is ended, with what it left behind, while the child is not reaped
- * yet: so long nobody else can have its number. */
+static double processor_time(pid_t child)
+{
+    clockid_t clock;
+    struct timespec used;
+    if (clock_getcpuclockid(child, &clock) != 0 || clock_gettime(clock, &used) != 0) return 0;
+    return (double)used.tv_sec + 1e-9 * (double)used.tv_nsec;
+}
+
+/* FALSE where the time was up: that which the child worked itself, so that a machine that does other things, too, makes
+ * nothing hang; or many times as long for one that waits. In the end its group is ended, with what it left behind,
+ * while the child is not reaped yet: so long nobody else can have its number. */
 static gboolean wait_for(pid_t child, double seconds, int *status)
 {
-    const gint64 deadline = g_get_monotonic_time() + (gint64)(CLAMP(seconds, 0, 3600) * G_USEC_PER_SEC);
+    const double most = CLAMP(seconds, 0, 3600);
+    const gint64 deadline = g_get_monotonic_time() + (gint64)(WAITS_AS_LONG * most * G_USEC_PER_SEC);
     gboolean ended = has_ended(child);
-    while (!ended && g_get_monotonic_time() <= deadline) {
+    while (!ended && processor_time(child) <= most && g_get_monotonic_time() <= deadline) {
         g_usleep(POLL_US);
         ended = has_ended(child);
     }
