@@ -70,31 +70,12 @@ static void name_angle(const Writer *writer, TinkerRodAngle *angle, guint number
 /* The support's acceleration ----------------------------------------------------------------------------------------
  */
 
-static const TinkerEquationDefinition *definition_named(const TinkerEquations *equations, const char *name)
-{
-    for (guint i = 0; i < equations->definitions->len; i++) {
-        const TinkerEquationDefinition *definition = g_ptr_array_index(equations->definitions, i);
-        if (strcmp(definition->name, name) == 0) return definition;
-    }
-    return NULL;
-}
-
 /* By time, through definitions. */
 static TinkerExpression *by_time(const char *symbol, void *data)
 {
     if (strcmp(symbol, "t") == 0) return tinker_expression_number(1);
-    const TinkerEquationDefinition *definition = definition_named(data, symbol);
+    const TinkerEquationDefinition *definition = tinker_equations_definition(data, symbol);
     return definition != NULL ? tinker_expression_derivative(definition->is, by_time, data) : NULL;
-}
-
-static gboolean is_not_written(const TinkerEquations *equations, const char *symbol)
-{
-    for (guint i = 0; i < equations->not_written->len; i++) {
-        const TinkerNotWritten *missing = g_ptr_array_index(equations->not_written, i);
-        for (guint k = 0; k < missing->symbols->len; k++)
-            if (strcmp(g_ptr_array_index(missing->symbols, k), symbol) == 0) return TRUE;
-    }
-    return FALSE;
 }
 
 /* Whether numbers alone are known of a place: its acceleration would be taken for 0. */
@@ -103,8 +84,9 @@ static gboolean is_known_by_numbers(const TinkerEquations *equations, const Tink
     for (int i = 0; i < place->count; i++)
         if (is_known_by_numbers(equations, place->parts[i])) return TRUE;
     if (place->kind != TINKER_EXPRESSION_SYMBOL) return FALSE;
-    const TinkerEquationDefinition *definition = definition_named(equations, place->name);
-    return definition != NULL ? is_known_by_numbers(equations, definition->is) : is_not_written(equations, place->name);
+    const TinkerEquationDefinition *definition = tinker_equations_definition(equations, place->name);
+    return definition != NULL ? is_known_by_numbers(equations, definition->is)
+                              : tinker_equations_is_not_written(equations, place->name);
 }
 
 static gboolean is_typed(const TinkerEquations *equations, const TinkerExpression *expression)
@@ -112,7 +94,7 @@ static gboolean is_typed(const TinkerEquations *equations, const TinkerExpressio
     for (int i = 0; i < expression->count; i++)
         if (is_typed(equations, expression->parts[i])) return TRUE;
     if (expression->kind != TINKER_EXPRESSION_SYMBOL) return FALSE;
-    const TinkerEquationDefinition *definition = definition_named(equations, expression->name);
+    const TinkerEquationDefinition *definition = tinker_equations_definition(equations, expression->name);
     return definition != NULL && (definition->typed || is_typed(equations, definition->is));
 }
 

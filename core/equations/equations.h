@@ -126,6 +126,13 @@ void tinker_equation_definition_free(void *definition);
 /* The look of a name; for tinker_expression_typeset, with the equations as its data. */
 void tinker_equations_look(const char *symbol, TinkerSymbolLook *look, void *equations);
 
+/* What has this name; NULL where nothing has. Borrowed. */
+const TinkerEquationDefinition *tinker_equations_definition(const TinkerEquations *equations, const char *name);
+const TinkerEquationSymbol *tinker_equations_symbol(const TinkerEquations *equations, const char *name);
+
+/* Whether numbers alone are known of a symbol, as of what a table moves. */
+gboolean tinker_equations_is_not_written(const TinkerEquations *equations, const char *symbol);
+
 /* An expression worked out with the values at the time. */
 double tinker_equations_value(const TinkerEquations *equations, const TinkerExpression *expression);
 

@@ -1,6 +1,36 @@
-/* Names looked up: how they look, what their values are. */
+/* Names looked up: what they stand for, how they look, what their values are. */
+#include <string.h>
+
 #include "equations/equations.h"
 #include "law/value.h"
+
+const TinkerEquationDefinition *tinker_equations_definition(const TinkerEquations *equations, const char *name)
+{
+    for (guint i = 0; i < equations->definitions->len; i++) {
+        const TinkerEquationDefinition *definition = g_ptr_array_index(equations->definitions, i);
+        if (strcmp(definition->name, name) == 0) return definition;
+    }
+    return NULL;
+}
+
+const TinkerEquationSymbol *tinker_equations_symbol(const TinkerEquations *equations, const char *name)
+{
+    for (guint i = 0; i < equations->symbols->len; i++) {
+        const TinkerEquationSymbol *symbol = g_ptr_array_index(equations->symbols, i);
+        if (strcmp(symbol->name, name) == 0) return symbol;
+    }
+    return NULL;
+}
+
+gboolean tinker_equations_is_not_written(const TinkerEquations *equations, const char *symbol)
+{
+    for (guint i = 0; i < equations->not_written->len; i++) {
+        const TinkerNotWritten *missing = g_ptr_array_index(equations->not_written, i);
+        for (guint k = 0; k < missing->symbols->len; k++)
+            if (strcmp(g_ptr_array_index(missing->symbols, k), symbol) == 0) return TRUE;
+    }
+    return FALSE;
+}
 
 void tinker_equations_look(const char *symbol, TinkerSymbolLook *look, void *data)
 {

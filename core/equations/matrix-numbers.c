@@ -21,26 +21,12 @@ static double *numbers_of(const TinkerEquations *equations, const GPtrArray *ent
 
 /* Rest ------------------------------------------------------------------------------------------------------------- */
 
-/* What only the run knows: the symbols of a table. */
-static gboolean is_not_written(const TinkerEquations *equations, const char *symbol)
-{
-    for (guint i = 0; i < equations->not_written->len; i++) {
-        const TinkerNotWritten *missing = g_ptr_array_index(equations->not_written, i);
-        for (guint k = 0; k < missing->symbols->len; k++)
-            if (strcmp(g_ptr_array_index(missing->symbols, k), symbol) == 0) return TRUE;
-    }
-    return FALSE;
-}
-
 /* Functions of time alone, which have names. */
 static gboolean varies(const TinkerEquations *equations, const char *symbol)
 {
-    if (is_not_written(equations, symbol)) return TRUE;
-    for (guint i = 0; i < equations->definitions->len; i++) {
-        const TinkerEquationDefinition *definition = g_ptr_array_index(equations->definitions, i);
-        if (strcmp(definition->name, symbol) == 0) return tinker_expression_uses(definition->is, "t");
-    }
-    return FALSE;
+    if (tinker_equations_is_not_written(equations, symbol)) return TRUE;
+    const TinkerEquationDefinition *definition = tinker_equations_definition(equations, symbol);
+    return definition != NULL && tinker_expression_uses(definition->is, "t");
 }
 
 typedef struct {
@@ -51,12 +37,8 @@ static TinkerExpression *definition_or_zero(const char *symbol, void *data)
 {
     const Rest *rest = data;
     if (varies(rest->equations, symbol)) return tinker_expression_number(0);
-    for (guint i = 0; i < rest->equations->definitions->len; i++) {
-        const TinkerEquationDefinition *definition = g_ptr_array_index(rest->equations->definitions, i);
-        if (strcmp(definition->name, symbol) == 0)
-            return tinker_expression_replace(definition->is, definition_or_zero, data);
-    }
-    return NULL;
+    const TinkerEquationDefinition *definition = tinker_equations_definition(rest->equations, symbol);
+    return definition != NULL ? tinker_expression_replace(definition->is, definition_or_zero, data) : NULL;
 }
 
 /* Through definitions, of which those that vary are symbols themselves. */
@@ -70,11 +52,8 @@ static TinkerExpression *slope_of(const char *symbol, void *data)
     const Slope *slope = data;
     if (strcmp(symbol, slope->by) == 0) return tinker_expression_number(1);
     if (varies(slope->equations, symbol)) return NULL;
-    for (guint i = 0; i < slope->equations->definitions->len; i++) {
-        const TinkerEquationDefinition *definition = g_ptr_array_index(slope->equations->definitions, i);
-        if (strcmp(definition->name, symbol) == 0) return tinker_expression_derivative(definition->is, slope_of, data);
-    }
-    return NULL;
+    const TinkerEquationDefinition *definition = tinker_equations_definition(slope->equations, symbol);
+    return definition != NULL ? tinker_expression_derivative(definition->is, slope_of, data) : NULL;
 }
 
 /* A load's part that is linear in a function of time, added to a sum, which is used up. */

@@ -64,14 +64,10 @@ static void add_coordinate(Builder *builder, TinkerBlockId body, double ux, doub
 static TinkerExpression *definition_of(const char *symbol, void *data)
 {
     const Builder *builder = data;
-    for (guint i = 0; i < builder->equations->definitions->len; i++) {
-        const TinkerEquationDefinition *definition = g_ptr_array_index(builder->equations->definitions, i);
-        if (strcmp(definition->name, symbol) != 0) continue;
-        /* functions of time alone keep their names */
-        if (tinker_expression_uses(definition->is, "t")) return NULL;
-        return tinker_expression_replace(definition->is, definition_of, data);
-    }
-    return NULL;
+    const TinkerEquationDefinition *definition = tinker_equations_definition(builder->equations, symbol);
+    /* functions of time alone keep their names */
+    if (definition == NULL || tinker_expression_uses(definition->is, "t")) return NULL;
+    return tinker_expression_replace(definition->is, definition_of, data);
 }
 
 static gboolean is_state(const Builder *builder, const char *symbol)

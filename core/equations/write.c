@@ -169,19 +169,10 @@ static GHashTable *needed_names(const TinkerEquations *equations, const TinkerEq
     return needed;
 }
 
-static const TinkerEquationSymbol *symbol_of(const TinkerEquations *equations, const char *name)
-{
-    for (guint i = 0; i < equations->symbols->len; i++) {
-        const TinkerEquationSymbol *symbol = g_ptr_array_index(equations->symbols, i);
-        if (strcmp(symbol->name, name) == 0) return symbol;
-    }
-    return NULL;
-}
-
 /* "Rod (unknown λ: minus its tension)", and how far friction goes. LaTeX has no letters for it in a text. */
 static char *held_by(const TinkerPage *page, const TinkerConstraintEquation *row)
 {
-    const TinkerEquationSymbol *multiplier = symbol_of(page->equations, row->multiplier);
+    const TinkerEquationSymbol *multiplier = tinker_equations_symbol(page->equations, row->multiplier);
     TinkerPage plain = *page;
     plain.format = TINKER_TYPESET_TEXT;
     GString *text = g_string_new(name_of(page->equations, row->block));
