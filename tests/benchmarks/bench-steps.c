@@ -172,7 +172,7 @@ static void measure_chain(BenchmarkReport *report, int rods, double *angles, con
 static void measure_bars(BenchmarkReport *report, int bars)
 {
     g_autofree double *angles = benchmark_hanging_angles(bars);
-    g_autofree char *scene = g_strdup_printf("S7 chain of %d pinned bars, hanging", bars);
+    g_autofree char *scene = g_strdup_printf("S9 chain of %d pinned bars, hanging", bars);
     if (!benchmark_report_wants(report, scene)) return;
     g_autofree char *text = benchmark_bars(bars, angles, 10.0 / bars);
     double h = bars > 100 ? 1e-4 : 1e-3;

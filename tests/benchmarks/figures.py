@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""All figures of a build in one table: what S1 to S6 take beside their floors, reading and running a large scene, starting,
-memory, and the window with 5000 blocks.
+"""All figures of a build in one table: what S1 to S6, S8 and S9 take beside their floors, reading and running a large scene,
+starting, memory, and the window with 5000 blocks.
 
 Usage: figures.py [BUILD] [--json FILE] [--before FILE]
 
