@@ -21,51 +21,73 @@ typedef struct Stepper {
     double *q, *v;       /* the stage */
     double *a2, *a3, *a4;
     double *power2, *power3, *power4;
+    double h;            /* of the step that is made, and ... */
+    double *to_q, *to_v; /* ... the state that it begins at, which becomes that at its end */
     double memory[];
 } Stepper;
 
-/* The arrays of a loop over coordinates, which is shared among threads where it is long. */
-typedef struct {
-    double h, haa, ha;
-    const double *q, *v, *a1, *a2, *a3, *a4;
-    double *to_q, *to_v, *kept_q, *kept_v;
-} Loop;
+/* A copy within a loop is to stay there: as a call of the C library it would take longer than the loop of few
+ * coordinates, and one pass more of many. Clang knows no such thing of one function. */
+#ifdef __clang__
+#define KEEP_COPIES
+#else
+#define KEEP_COPIES __attribute__((optimize("no-tree-loop-distribute-patterns")))
+#endif
 
-static void first_stage(void *data, int32_t first, int32_t end)
+/* The loops over coordinates, which are shared among threads where they are long. Their arrays are parameters: of
+ * pointers that are read from memory the compiler does not believe that no two of them meet, and would look first,
+ * which costs more than the loop of few coordinates. */
+static inline __attribute__((always_inline)) void begin_stage(int32_t first, int32_t end, double half,
+                                                              const double *restrict q, const double *restrict v,
+                                                              const double *restrict a, double *restrict qs,
+                                                              double *restrict vs, double *restrict q0,
+                                                              double *restrict v0)
 {
-    const Loop *loop = data;
-    const double *restrict q = loop->q, *restrict v = loop->v, *restrict a1 = loop->a1;
-    double *restrict q2 = loop->to_q, *restrict v2 = loop->to_v;
-    double *restrict q0 = loop->kept_q, *restrict v0 = loop->kept_v;
-    double half = 0.5 * loop->h;
     for (int32_t i = first; i < end; i++) {
         q0[i] = q[i];
         v0[i] = v[i];
-        q2[i] = q[i] + half * v[i];
-        v2[i] = v[i] + half * a1[i];
+        qs[i] = q[i] + half * v[i];
+        vs[i] = v[i] + half * a[i];
     }
 }
 
-/* (q + h v + haa a1, v + ha a2): the stages 3 and 4, where a1 and a2 stand for the accelerations of two stages in turn.
- */
-static void later_stage(void *data, int32_t first, int32_t end)
+KEEP_COPIES static void second_stage(void *data, int32_t first, int32_t end)
 {
-    const Loop *loop = data;
-    const double *restrict q = loop->q, *restrict v = loop->v, *restrict b = loop->a1, *restrict a = loop->a2;
-    double *restrict qs = loop->to_q, *restrict vs = loop->to_v;
-    double hv = loop->h, haa = loop->haa, ha = loop->ha;
+    const Stepper *self = data;
+    const TinkerHermiteEnd *from = &self->dense.from;
+    begin_stage(first, end, 0.5 * self->h, self->to_q, self->to_v, from->a, self->q, self->v, from->q, from->v);
+}
+
+static inline void go_on(int32_t first, int32_t end, double hv, double haa, double ha, const double *restrict q,
+                         const double *restrict v, const double *restrict b, const double *restrict a,
+                         double *restrict qs, double *restrict vs)
+{
     for (int32_t i = first; i < end; i++) {
         qs[i] = q[i] + (hv * v[i] + haa * b[i]);
         vs[i] = v[i] + ha * a[i];
     }
 }
 
-static void advance(void *data, int32_t first, int32_t end)
+static void third_stage(void *data, int32_t first, int32_t end)
 {
-    const Loop *loop = data;
-    const double *restrict a1 = loop->a1, *restrict a2 = loop->a2, *restrict a3 = loop->a3, *restrict a4 = loop->a4;
-    double *restrict q = loop->to_q, *restrict v = loop->to_v;
-    double h = loop->h, sixth = h / 6.0, square = h * h / 6.0;
+    const Stepper *self = data;
+    const double h = self->h;
+    go_on(first, end, 0.5 * h, 0.25 * h * h, 0.5 * h, self->to_q, self->to_v, self->dense.from.a, self->a2, self->q,
+          self->v);
+}
+
+static void fourth_stage(void *data, int32_t first, int32_t end)
+{
+    const Stepper *self = data;
+    const double h = self->h;
+    go_on(first, end, h, 0.5 * h * h, h, self->to_q, self->to_v, self->a2, self->a3, self->q, self->v);
+}
+
+static inline void sum_stages(int32_t first, int32_t end, double h, const double *restrict a1,
+                              const double *restrict a2, const double *restrict a3, const double *restrict a4,
+                              double *restrict q, double *restrict v)
+{
+    double sixth = h / 6.0, square = h * h / 6.0;
     for (int32_t i = first; i < end; i++) {
         double middle = a2[i] + a3[i];
         q[i] += h * v[i] + square * (a1[i] + middle);
@@ -73,22 +95,29 @@ static void advance(void *data, int32_t first, int32_t end)
     }
 }
 
-/* The state at the end of the step, in place of the one at its start. */
-static void advance_all(const Stepper *stepper, double h, double *q, double *v, double *books)
+static void advance(void *data, int32_t first, int32_t end)
+{
+    const Stepper *self = data;
+    sum_stages(first, end, self->h, self->dense.from.a, self->a2, self->a3, self->a4, self->to_q, self->to_v);
+}
+
+static inline void sum_powers(int32_t count, double sixth, const double *restrict p1, const double *restrict p2,
+                              const double *restrict p3, const double *restrict p4, double *restrict books)
+{
+    for (int32_t i = 0; i < count; i++)
+        books[i] += sixth * (p1[i] + 2.0 * (p2[i] + p3[i]) + p4[i]);
+}
+
+/* The state at the end of a step, in place of the one at its start. */
+static void advance_all(Stepper *stepper, double h, double *q, double *v, double *books)
 {
     const TinkerSystem *system = stepper->system;
-    Loop loop = {.h = h,
-                 .a1 = stepper->dense.from.a,
-                 .a2 = stepper->a2,
-                 .a3 = stepper->a3,
-                 .a4 = stepper->a4,
-                 .to_q = q,
-                 .to_v = v};
-    tinker_share_range(system->size, advance, &loop);
-    for (int32_t i = 0; i < system->books; i++)
-        books[i] +=
-            h / 6.0 *
-            (stepper->dense.from.power[i] + 2.0 * (stepper->power2[i] + stepper->power3[i]) + stepper->power4[i]);
+    stepper->h = h;
+    stepper->to_q = q;
+    stepper->to_v = v;
+    tinker_share_range(system->size, advance, stepper);
+    sum_powers(system->books, h / 6.0, stepper->dense.from.power, stepper->power2, stepper->power3, stepper->power4,
+               books);
 }
 
 static void *create(const TinkerSystem *system, const TinkerIntegratorOptions *options)
@@ -127,23 +156,16 @@ static TinkerStatus find_stages(Stepper *stepper, const TinkerState *state, doub
     TinkerStatus status =
         system->acceleration(system->context, state->t, state->q, state->v, from->a, books ? from->power : NULL);
     if (status != TINKER_OK) return status;
-    Loop loop = {.h = h,
-                 .q = state->q,
-                 .v = state->v,
-                 .a1 = from->a,
-                 .to_q = q,
-                 .to_v = v,
-                 .kept_q = from->q,
-                 .kept_v = from->v};
-    tinker_share_range(n, first_stage, &loop);
+    stepper->h = h;
+    stepper->to_q = state->q;
+    stepper->to_v = state->v;
+    tinker_share_range(n, second_stage, stepper);
     status = system->acceleration(system->context, middle, q, v, stepper->a2, books ? stepper->power2 : NULL);
     if (status != TINKER_OK) return status;
-    loop.h = loop.ha = 0.5 * h, loop.haa = 0.25 * h * h, loop.a2 = stepper->a2;
-    tinker_share_range(n, later_stage, &loop);
+    tinker_share_range(n, third_stage, stepper);
     status = system->acceleration(system->context, middle, q, v, stepper->a3, books ? stepper->power3 : NULL);
     if (status != TINKER_OK) return status;
-    loop.h = loop.ha = h, loop.haa = 0.5 * h * h, loop.a1 = stepper->a2, loop.a2 = stepper->a3;
-    tinker_share_range(n, later_stage, &loop);
+    tinker_share_range(n, fourth_stage, stepper);
     return system->acceleration(system->context, limit, q, v, stepper->a4, books ? stepper->power4 : NULL);
 }
 
