@@ -164,17 +164,24 @@ typedef struct {
     double *a;
 } Acceleration;
 
-static void accelerate(void *data, int32_t first, int32_t end)
+/* The arrays as parameters: see the loops of numerics/integrate/rk4.c. */
+static inline void accelerate_bodies(int32_t first, int32_t end, const double *restrict force,
+                                     const double *restrict inverse, const double *restrict constant,
+                                     double *restrict a)
 {
-    const Acceleration *loop = data;
-    const TinkerModel *model = loop->model;
-    double *restrict a = loop->a;
-    const double *restrict force = model->force, *restrict inverse = model->inverse_mass;
-    const double *restrict constant = model->constant_acceleration;
     for (int32_t i = first; i < end; i++) {
         a[2 * i] = constant[2 * i] + force[2 * i] * inverse[i];
         a[2 * i + 1] = constant[2 * i + 1] + force[2 * i + 1] * inverse[i];
     }
+}
+
+static void accelerate(void *data, int32_t first, int32_t end)
+{
+    const Acceleration *loop = data;
+    const TinkerModel *model = loop->model;
+    const double *inverse = model->inverse_mass;
+    double *a = loop->a;
+    accelerate_bodies(first, end, model->force, inverse, model->constant_acceleration, a);
     if (model->field_drag == 0) return;
     for (int32_t i = first; i < end; i++) {
         a[2 * i] -= model->field_drag * inverse[i] * model->point[i].vx;
