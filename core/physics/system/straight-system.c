@@ -137,6 +137,13 @@ static void add_load_power(const TinkerLinearForm *form, const double *u, double
     }
 }
 
+/* Most have one book, and a loop becomes a call of the C library. */
+static inline void clear(int32_t books, double *power)
+{
+    if (books > 0) power[0] = 0;
+    if (books > 1) memset(power + 1, 0, (gsize)(books - 1) * sizeof(double));
+}
+
 static TinkerStatus acceleration(void *context, double t, const double *x, const double *u, double *a, double *power)
 {
     TinkerModelSystem *self = context;
@@ -148,8 +155,7 @@ static TinkerStatus acceleration(void *context, double t, const double *x, const
     if (self->model->moving_supports > 0) move_anchors(form);
     for (int32_t i = 0; i < system->size; i++)
         a[i] = form->load[i];
-    for (int32_t i = 0; power != NULL && i < self->system.books; i++)
-        power[i] = 0;
+    if (power != NULL) clear(self->system.books, power);
     add_edges(form, x, u, a, power);
     if (power != NULL) add_load_power(form, u, power);
     add_drives(form, u, a, power);
