@@ -53,10 +53,9 @@ static gboolean is_wound(const TinkerConstraintBatch *part)
            tinker_block_class_meaning_column(block_class, TINKER_MEANING_RADIUS) >= 0;
 }
 
-TinkerStatus tinker_constraints_rewind(TinkerModel *model, double t, const double *q, const double *v)
+static G_NO_INLINE TinkerStatus rewind_all(TinkerModel *model, double t, const double *q, const double *v)
 {
     const TinkerConstraints *all = &model->constraints;
-    if (G_LIKELY(all->unilateral == NULL)) return TINKER_OK;
     gboolean evaluated = FALSE;
     for (guint i = 0; i < all->batches->len; i++) {
         const TinkerConstraintBatch *part = &g_array_index(all->batches, TinkerConstraintBatch, i);
@@ -72,4 +71,9 @@ TinkerStatus tinker_constraints_rewind(TinkerModel *model, double t, const doubl
         }
     }
     return TINKER_OK;
+}
+
+TinkerStatus tinker_constraints_rewind(TinkerModel *model, double t, const double *q, const double *v)
+{
+    return model->constraints.unilateral == NULL ? TINKER_OK : rewind_all(model, t, q, v);
 }

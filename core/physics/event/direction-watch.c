@@ -161,7 +161,7 @@ double tinker_direction_watch_begin(TinkerDirectionWatch *self, double limit)
     atomic_store_explicit(&self->model->came_near, FALSE, memory_order_relaxed);
     self->projection_work = self->run->system.projection_work;
     self->position_error = self->run->system.position_error;
-    return fmin(limit, self->expected);
+    return MIN(limit, self->expected);
 }
 
 /* Ends that may meet within the step that began at `from`. */
@@ -266,15 +266,13 @@ static gboolean came_near(const TinkerDirectionWatch *self)
     return solves && tinker_straight_system_is_near(&run->system, run->state.q);
 }
 
-TinkerStatus tinker_direction_watch_look(TinkerDirectionWatch *self, double from, TinkerStepReport *report)
+/* Looks for lines whose ends met in the step that began at `from`. Apart, as few steps come near to that. */
+static G_NO_INLINE TinkerStatus look_for_meetings(TinkerDirectionWatch *self, double from, TinkerStepReport *report)
 {
     TinkerIslandRun *run = self->run;
     TinkerDirectionLine *first = NULL;
     double time = INFINITY;
-    /* an exact step ends where ends meet; what an event of contact is about to change is looked at behind it */
-    if (run->choice.method->flags & TINKER_INTEGRATOR_LINEAR) return tinker_direction_watch_check(self);
-    if (run->state.t >= self->expected) return check_closest(self);
-    if (isfinite(self->expected) || !came_near(self)) return TINKER_OK;
+    /* what an event of contact is about to change is looked at behind it */
     if (run->contacts != NULL && tinker_contact_run_has_pending_event(run->contacts)) return TINKER_OK;
     tinker_island_run_place(run);
     for (guint i = 0; i < self->lines->len; i++) {
@@ -288,4 +286,13 @@ TinkerStatus tinker_direction_watch_look(TinkerDirectionWatch *self, double from
     if (first == NULL) return TINKER_OK;
     first->closest = TRUE;
     return time > from && time < run->state.t ? step_to(self, from, time, report) : check_closest(self);
+}
+
+TinkerStatus tinker_direction_watch_look(TinkerDirectionWatch *self, double from, TinkerStepReport *report)
+{
+    /* an exact step ends where ends meet */
+    if (tinker_method_is_exact(self->run->choice.method)) return tinker_direction_watch_check(self);
+    if (self->run->state.t >= self->expected) return check_closest(self);
+    if (isfinite(self->expected) || !came_near(self)) return TINKER_OK;
+    return look_for_meetings(self, from, report);
 }

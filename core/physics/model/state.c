@@ -51,12 +51,8 @@ static void turn_support_point(TinkerModel *model, int32_t point, const TinkerAt
     a[1] = place->ay + alpha * r[0] - w * w * r[1];
 }
 
-TinkerStatus tinker_model_change_time(TinkerModel *model, double t)
+static G_NO_INLINE TinkerStatus move_supports(TinkerModel *model, double t)
 {
-    model->time = t;
-    for (guint i = 0; i < model->waveform_batches->len; i++)
-        tinker_block_batch_set_time(g_ptr_array_index(model->waveform_batches, i), t);
-    if (model->moving_supports == 0) return TINKER_OK;
     if (!tinker_motions_evaluate(model->motions, t)) {
         model->time = NAN; /* some supports are there, others not */
         tinker_model_tell_failure(model, _("%s: its motion at t = %g s is not a number"),
@@ -76,6 +72,14 @@ TinkerStatus tinker_model_change_time(TinkerModel *model, double t)
         model->point_acceleration[2 * point + 1] = place->ay;
     }
     return TINKER_OK;
+}
+
+TinkerStatus tinker_model_change_time(TinkerModel *model, double t)
+{
+    model->time = t;
+    for (guint i = 0; i < model->waveform_batches->len; i++)
+        tinker_block_batch_set_time(g_ptr_array_index(model->waveform_batches, i), t);
+    return model->moving_supports == 0 ? TINKER_OK : move_supports(model, t);
 }
 
 /* Turning bodies: a place r of a body's own axes, with the body turned by the angle a, is at

@@ -13,11 +13,6 @@ TinkerTimeGrid tinker_time_grid(double spacing)
     return (TinkerTimeGrid){spacing, whole ? per_second : 0.0};
 }
 
-double tinker_time_grid_at(const TinkerTimeGrid *grid, gint64 i)
-{
-    return grid->per_second > 0 ? (double)i / grid->per_second : (double)i * grid->spacing;
-}
-
 static int compare(const void *a, const void *b)
 {
     double l = *(const double *)a, r = *(const double *)b;

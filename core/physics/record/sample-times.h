@@ -12,7 +12,10 @@ typedef struct {
 } TinkerTimeGrid;
 
 TinkerTimeGrid tinker_time_grid(double spacing);
-double tinker_time_grid_at(const TinkerTimeGrid *grid, gint64 i);
+static inline double tinker_time_grid_at(const TinkerTimeGrid *grid, gint64 i)
+{
+    return grid->per_second > 0 ? (double)i / grid->per_second : (double)i * grid->spacing;
+}
 
 typedef struct {
     TinkerTimeGrid grid;
