@@ -48,6 +48,7 @@ static const char *compose(TinkerDimension dimension, const char *const *bases)
 
 const char *tinker_unit_in_ascii(const char *unit)
 {
+    if (g_str_is_ascii(unit)) return intern(unit);
     g_autoptr(GString) text = g_string_new(unit);
     g_string_replace(text, "·", " ", 0);
     g_string_replace(text, "²", "^2", 0);

@@ -215,8 +215,8 @@ gboolean tinker_block_class_is_shown_elsewhere(const TinkerBlockClass *block_cla
     return FALSE;
 }
 
-const char *tinker_block_class_unit(const TinkerBlockClass *block_class, const char *id, TinkerDimension dimension,
-                                    int english)
+/* What the block says itself; NULL: nothing. */
+static const char *chosen_unit(const TinkerBlockClass *block_class, const char *id, int english)
 {
     const TinkerSpan *choices = block_class->units == NULL ? NULL : &block_class->units->choices;
     for (int32_t i = 0; choices != NULL && i < choices->count; i++) {
@@ -224,13 +224,22 @@ const char *tinker_block_class_unit(const TinkerBlockClass *block_class, const c
         const char *unit = english ? choice->english : choice->si;
         if (unit != NULL && strcmp(choice->id, id) == 0) return unit;
     }
+    return NULL;
+}
+
+const char *tinker_block_class_unit(const TinkerBlockClass *block_class, const char *id, TinkerDimension dimension,
+                                    int english)
+{
+    const char *chosen = chosen_unit(block_class, id, english);
+    if (chosen != NULL) return chosen;
     return tinker_unit_for(dimension, english ? TINKER_UNIT_SYSTEM_ENGLISH : TINKER_UNIT_SYSTEM_SI);
 }
 
 const char *tinker_block_class_si_unit(const TinkerBlockClass *block_class, const char *id, TinkerDimension dimension)
 {
-    const char *shown = tinker_block_class_unit(block_class, id, dimension, FALSE);
+    const char *chosen = chosen_unit(block_class, id, FALSE);
     TinkerUnit unit;
-    const gboolean is_si = shown[0] != '\0' && tinker_unit_parse(shown, &unit, NULL) && unit.factor == 1;
-    return is_si ? tinker_unit_in_ascii(shown) : tinker_unit_si_symbol(dimension);
+    const gboolean is_si =
+        chosen != NULL && chosen[0] != '\0' && tinker_unit_parse(chosen, &unit, NULL) && unit.factor == 1;
+    return is_si ? tinker_unit_in_ascii(chosen) : tinker_unit_si_symbol(dimension);
 }
