@@ -21,24 +21,28 @@ static void number_parts(TinkerLinearParts *parts, int32_t size, int32_t *parent
     }
 }
 
+/* `starts` counts what each part has, one place ahead; then says where that begins. */
 static void add_up(int32_t *starts, int32_t count)
 {
     for (int32_t i = 0; i < count; i++)
         starts[i + 1] += starts[i];
 }
 
+/* `starts` was moved on by as much as each part has. */
+static void move_back(int32_t *starts, int32_t count)
+{
+    for (int32_t i = count; i > 0; i--)
+        starts[i] = starts[i - 1];
+    starts[0] = 0;
+}
+
 static void sort_members(TinkerLinearParts *parts, int32_t size)
 {
-    parts->starts = g_new0(int32_t, parts->count + 1);
     for (int32_t i = 0; i < size; i++)
-        parts->starts[parts->part_of[i] + 1]++;
+        parts->local[i] = parts->starts[parts->part_of[i] + 1]++;
     add_up(parts->starts, parts->count);
-    g_autofree int32_t *filled = g_new0(int32_t, parts->count + 1);
-    for (int32_t i = 0; i < size; i++) {
-        int32_t part = parts->part_of[i];
-        parts->local[i] = filled[part]++;
-        parts->members[parts->starts[part] + parts->local[i]] = i;
-    }
+    for (int32_t i = 0; i < size; i++)
+        parts->members[parts->starts[parts->part_of[i]] + parts->local[i]] = i;
 }
 
 /* -1 where both its ends are anchors. */
@@ -50,27 +54,29 @@ static int32_t part_of_edge(const TinkerLinearParts *parts, const TinkerLinearEd
 
 static void sort_edges(TinkerLinearParts *parts, const TinkerLinearSystem *system)
 {
-    parts->edge_starts = g_new0(int32_t, parts->count + 1);
     for (int32_t e = 0; e < system->edge_count; e++) {
         int32_t part = part_of_edge(parts, &system->edges[e]);
         if (part >= 0) parts->edge_starts[part + 1]++;
     }
     add_up(parts->edge_starts, parts->count);
-    g_autofree int32_t *filled = g_new0(int32_t, parts->count + 1);
     for (int32_t e = 0; e < system->edge_count; e++) {
         int32_t part = part_of_edge(parts, &system->edges[e]);
-        if (part >= 0) parts->edges[parts->edge_starts[part] + filled[part]++] = e;
+        if (part >= 0) parts->edges[parts->edge_starts[part]++] = e;
     }
+    move_back(parts->edge_starts, parts->count);
 }
 
 TinkerLinearParts *tinker_linear_parts_new(const TinkerLinearSystem *system)
 {
-    TinkerLinearParts *parts = g_new0(TinkerLinearParts, 1);
-    parts->part_of = g_new0(int32_t, system->size);
-    parts->local = g_new0(int32_t, system->size);
-    parts->members = g_new0(int32_t, system->size);
-    parts->edges = g_new0(int32_t, system->edge_count);
-    g_autofree int32_t *parent = g_new(int32_t, system->size);
+    const gsize n = (gsize)system->size, room = 6 * n + 2 + (gsize)system->edge_count;
+    TinkerLinearParts *parts = g_malloc0(sizeof(TinkerLinearParts) + room * sizeof(int32_t));
+    parts->part_of = (int32_t *)(gpointer)(parts + 1);
+    parts->local = parts->part_of + n;
+    parts->members = parts->local + n;
+    parts->starts = parts->members + n;
+    parts->edge_starts = parts->starts + n + 1;
+    int32_t *parent = parts->edge_starts + n + 1;
+    parts->edges = parent + n;
     unite(system, parent);
     number_parts(parts, system->size, parent);
     sort_members(parts, system->size);
@@ -80,12 +86,5 @@ TinkerLinearParts *tinker_linear_parts_new(const TinkerLinearSystem *system)
 
 void tinker_linear_parts_free(TinkerLinearParts *parts)
 {
-    if (!parts) return;
-    g_free(parts->part_of);
-    g_free(parts->local);
-    g_free(parts->starts);
-    g_free(parts->members);
-    g_free(parts->edge_starts);
-    g_free(parts->edges);
     g_free(parts);
 }
