@@ -150,6 +150,25 @@ static void test_first_of_all(void)
     g_assert_cmpint(none, <, 195);
 }
 
+/* Many boxes in a row, sideways or upwards, of which the last two overlap: nobody has to look at all pairs. */
+static void test_many(void)
+{
+    enum { MANY = 30000 };
+    for (int upwards = FALSE; upwards <= TRUE; upwards++) {
+        g_autoptr(GArray) boxes = g_array_new(FALSE, FALSE, sizeof(TinkerBox));
+        for (int i = 0; i < MANY; i++) {
+            const double place = i < MANY - 1 ? i : i - 0.75;
+            const TinkerBox box = {
+                .block = i, .x = upwards ? 0 : place, .y = upwards ? place : 0, .width = 0.5, .height = 0.5};
+            g_array_append_val(boxes, box);
+        }
+        TinkerMeeting meeting;
+        g_assert_true(tinker_boxes_first_meeting(boxes, 10, &meeting));
+        g_assert_cmpint(meeting.first, ==, MANY - 2);
+        g_assert_cmpint(meeting.second, ==, MANY - 1);
+    }
+}
+
 /* Which bodies count: those that can move and have an extent; and what is said of them. */
 static void test_words(void)
 {
@@ -184,6 +203,7 @@ static void add_tests(void)
     g_test_add_func("/boxes/by-hand", test_by_hand);
     g_test_add_func("/boxes/against-clipping", test_against_clipping);
     g_test_add_func("/boxes/first-of-all", test_first_of_all);
+    g_test_add_func("/boxes/many", test_many);
     g_test_add_func("/boxes/words", test_words);
 }
 

@@ -1,6 +1,6 @@
 /* The first meeting is looked for up to a horizon that doubles until there is one: up to that horizon each box stays in
  * the rectangle around its way, and only boxes whose rectangles overlap are looked at, found by sorting the rectangles
- * by their left sides. The mean velocity, which no meeting depends on, is taken out first. */
+ * along the axis that they are spread along. The mean velocity, which no meeting depends on, is taken out first. */
 #include "scene/frame/boxes.h"
 
 #include <glib/gi18n-lib.h>
@@ -73,13 +73,13 @@ gboolean tinker_boxes_meet(const TinkerBox *a, const TinkerBox *b, double horizo
 
 /* The first meeting ------------------------------------------------------------------------------------------------ */
 
-/* The rectangle around the way of a box. */
+/* The rectangle around the way of a box: along the axis that the boxes are spread along, and across. */
 typedef struct {
     double from[2], to[2];
     guint box;
 } Way;
 
-static int compare_left(gconstpointer a, gconstpointer b)
+static int compare_from(gconstpointer a, gconstpointer b)
 {
     const Way *first = a, *second = b;
     if (first->from[0] != second->from[0]) return first->from[0] < second->from[0] ? -1 : 1;
@@ -99,9 +99,25 @@ static void take_out_mean_velocity(GArray *boxes)
     }
 }
 
-/* The ways up to a horizon, by their left sides. (transfer full) */
+/* Whether the boxes are spread upwards (1) rather than sideways (0). */
+static int spread_of(const GArray *boxes)
+{
+    double least[2] = {INFINITY, INFINITY}, most[2] = {-INFINITY, -INFINITY};
+    for (guint i = 0; i < boxes->len; i++) {
+        const TinkerBox *box = &g_array_index(boxes, TinkerBox, i);
+        const double place[2] = {box->x, box->y};
+        for (int k = 0; k < 2; k++) {
+            least[k] = fmin(least[k], place[k]);
+            most[k] = fmax(most[k], place[k]);
+        }
+    }
+    return most[1] - least[1] > most[0] - least[0];
+}
+
+/* The ways up to a horizon, in the order of their beginnings. (transfer full) */
 static GArray *ways_new(const GArray *boxes, double horizon)
 {
+    const int spread = spread_of(boxes);
     GArray *ways = g_array_sized_new(FALSE, FALSE, sizeof(Way), boxes->len);
     for (guint i = 0; i < boxes->len; i++) {
         const TinkerBox *box = &g_array_index(boxes, TinkerBox, i);
@@ -110,12 +126,12 @@ static GArray *ways_new(const GArray *boxes, double horizon)
         tinker_box_reach(box, reach);
         Way around = {.box = i};
         for (int k = 0; k < 2; k++) {
-            around.from[k] = place[k] - reach[k] + fmin(way[k], 0);
-            around.to[k] = place[k] + reach[k] + fmax(way[k], 0);
+            around.from[k ^ spread] = place[k] - reach[k] + fmin(way[k], 0);
+            around.to[k ^ spread] = place[k] + reach[k] + fmax(way[k], 0);
         }
         g_array_append_val(ways, around);
     }
-    g_array_sort(ways, compare_left);
+    g_array_sort(ways, compare_from);
     return ways;
 }
 
