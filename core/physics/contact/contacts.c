@@ -523,9 +523,19 @@ static void find_bearers(TinkerContacts *contacts)
     }
 }
 
+/* One that closes or opens leaves most of them in order. */
+static void sort_closed(TinkerContacts *contacts)
+{
+    for (guint i = 1; i < contacts->closed->len; i++) {
+        if (by_body(tinker_contacts_closed(contacts, i - 1), tinker_contacts_closed(contacts, i)) <= 0) continue;
+        g_array_sort(contacts->closed, by_body);
+        return;
+    }
+}
+
 TinkerStatus tinker_contacts_list_rows(TinkerContacts *contacts)
 {
-    g_array_sort(contacts->closed, by_body);
+    sort_closed(contacts);
     clear_rows(contacts);
     find_bearers(contacts);
     for (guint i = 0; i < contacts->closed->len; i++) {

@@ -105,6 +105,7 @@ struct _TinkerContactRun {
      * whether they part is the acceleration. */
     GArray *leaving;
     GArray *triggers; /* of TinkerTrigger: those of the step */
+    GArray *falling;  /* of guint: those of places that may fall to 0 in the step */
     double *values;   /* of triggers, node by node */
     gsize values_room;
     double *node_x, *node_u;         /* in the system's coordinates */

@@ -38,6 +38,7 @@ static void allot(TinkerContactRun *self)
     self->near = g_array_sized_new(FALSE, FALSE, sizeof(TinkerContactPair), pairs);
     self->leaving = g_array_sized_new(FALSE, FALSE, sizeof(TinkerContactPair), pairs);
     self->triggers = g_array_sized_new(FALSE, FALSE, sizeof(TinkerTrigger), 2 * pairs);
+    self->falling = g_array_sized_new(FALSE, FALSE, sizeof(guint), 2 * pairs);
     self->values_room = 2 * pairs * (gsize)(TINKER_MOST_DEGREE + 1);
     self->values = g_new0(double, self->values_room);
     self->end_values = g_new0(double, self->values_room);
@@ -86,6 +87,7 @@ void tinker_contact_run_free(TinkerContactRun *self)
     g_array_unref(self->near);
     g_array_unref(self->leaving);
     g_array_unref(self->triggers);
+    g_array_unref(self->falling);
     gpointer arrays[] = {self->from.q,      self->from.v,      self->from.books,  self->node_x,
                          self->node_u,      self->node_q,      self->node_v,      self->force,
                          self->orientation, self->quiet_x,     self->values,      self->force_scale,

@@ -401,26 +401,60 @@ static gboolean acts_evenly(const TinkerContactRun *self)
            model->asked_forces->len == 0 && model->moving_supports == 0 && model->constraints.unilateral == NULL;
 }
 
-/* The values of triggers of places at all nodes of the step, and their levels. */
+/* The values of triggers of places at a node of the step: of all (`which` is NULL), or of some. */
+static TinkerStatus fill_node(TinkerContactRun *self, double from, double to, int32_t node, const GArray *which,
+                              double *speed)
+{
+    const guint count = (guint)self->degree + 1, some = which != NULL ? which->len : self->triggers->len;
+    const double t = node == 0 ? from : node == self->degree ? to : from + self->nodes[node] * (to - from);
+    double *v;
+    TinkerStatus status = place_at_time(self, t, &v);
+    if (status != TINKER_OK) return status;
+    for (guint i = 0; i < some; i++) {
+        const guint number = which != NULL ? g_array_index(which, guint, i) : i;
+        const TinkerTrigger *trigger = &g_array_index(self->triggers, TinkerTrigger, number);
+        if (is_of_place(trigger)) self->values[number * count + (guint)node] = tinker_trigger_value(self, trigger);
+    }
+    *speed = fmax(*speed, tinker_largest(self->model->coordinates, v));
+    return TINKER_OK;
+}
+
+/* The triggers of places that do not stay far from 0 in the step, as their values at its ends and in its middle have it
+ * where these hardly differ. */
+static void list_falling(TinkerContactRun *self)
+{
+    const int32_t last = self->degree;
+    g_array_set_size(self->falling, 0);
+    for (guint i = 0; i < self->triggers->len; i++) {
+        if (!is_of_place(&g_array_index(self->triggers, TinkerTrigger, i))) continue;
+        const double *values = self->values + i * ((guint)last + 1);
+        const double a = values[0], b = values[last / 2], c = values[last];
+        const double least = MIN(a, MIN(b, c)), most = MAX(a, MAX(b, c));
+        if (!(least > TINKER_SURELY * (most - least))) g_array_append_val(self->falling, i);
+    }
+}
+
+/* The triggers of places that may fall to 0 in the step, their values at all its nodes and their levels. */
 static TinkerStatus fill_places(TinkerContactRun *self, double from, double to)
 {
-    const guint count = (guint)self->degree + 1;
-    double speed = self->run->system.speed, *v;
-    for (guint k = 0; k < count; k++) {
-        const double t = k == 0 ? from : k == count - 1 ? to : from + self->nodes[k] * (to - from);
-        TinkerStatus status = place_at_time(self, t, &v);
+    const int32_t last = self->degree, middle = last / 2;
+    double speed = self->run->system.speed;
+    for (int32_t node = 0; node <= last; node += middle) {
+        TinkerStatus status = fill_node(self, from, to, node, NULL, &speed);
         if (status != TINKER_OK) return status;
-        for (guint i = 0; i < self->triggers->len; i++) {
-            const TinkerTrigger *trigger = &g_array_index(self->triggers, TinkerTrigger, i);
-            if (is_of_place(trigger)) self->values[i * count + k] = tinker_trigger_value(self, trigger);
-        }
-        speed = fmax(speed, tinker_largest(self->model->coordinates, v));
     }
-    for (guint i = 0; i < self->triggers->len; i++) {
-        TinkerTrigger *trigger = &g_array_index(self->triggers, TinkerTrigger, i);
-        if (is_of_place(trigger)) trigger->level = tinker_trigger_level(self, trigger, speed);
+    list_falling(self);
+    for (int32_t node = 1; self->falling->len > 0 && node < last; node++) {
+        TinkerStatus status = node == middle ? TINKER_OK : fill_node(self, from, to, node, self->falling, &speed);
+        if (status != TINKER_OK) return status;
     }
-    return TINKER_OK;
+    double *v; /* levels are those of the step's end */
+    TinkerStatus status = self->falling->len > 0 ? place_at_time(self, to, &v) : TINKER_OK;
+    for (guint i = 0; i < self->falling->len; i++) {
+        TinkerTrigger *trigger = &g_array_index(self->triggers, TinkerTrigger, g_array_index(self->falling, guint, i));
+        trigger->level = tinker_trigger_level(self, trigger, speed);
+    }
+    return status;
 }
 
 /* The first fall of a place in the step; *time is INFINITY where there is none, NAN where that has to be looked at more
@@ -430,10 +464,10 @@ static TinkerStatus first_place_to_fall(TinkerContactRun *self, double from, dou
 {
     *time = INFINITY;
     TinkerStatus status = fill_places(self, from, to);
-    for (guint i = 0; status == TINKER_OK && i < self->triggers->len; i++) {
-        const TinkerTrigger *trigger = &g_array_index(self->triggers, TinkerTrigger, i);
-        if (!is_of_place(trigger)) continue;
-        const double t = first_fall(self, trigger, self->values + i * (guint)(self->degree + 1), from, to, *time);
+    for (guint i = 0; status == TINKER_OK && i < self->falling->len; i++) {
+        const guint number = g_array_index(self->falling, guint, i);
+        const TinkerTrigger *trigger = &g_array_index(self->triggers, TinkerTrigger, number);
+        const double t = first_fall(self, trigger, self->values + number * (guint)(self->degree + 1), from, to, *time);
         if (!(t < *time) && !isnan(t)) continue;
         *time = t;
         *found = *trigger;

@@ -22,18 +22,12 @@
 TinkerStatus tinker_contact_run_state_at(TinkerContactRun *self, double t, double **q, double **v)
 {
     TinkerIslandRun *run = self->run;
-    const TinkerState *ends[2] = {&self->from, &run->state};
+    const TinkerState *near = t == self->from.t && t != run->state.t ? &self->from : &run->state;
     gsize bytes = (gsize)run->system.system.size * sizeof(double);
     TinkerStatus status = TINKER_OK;
-    memcpy(self->node_x, run->state.q, bytes);
-    memcpy(self->node_u, run->state.v, bytes);
-    for (int k = 0; k < 2; k++) {
-        if (t != ends[k]->t) continue;
-        memcpy(self->node_x, ends[k]->q, bytes);
-        memcpy(self->node_u, ends[k]->v, bytes);
-    }
-    if (t != self->from.t && t != run->state.t)
-        status = tinker_island_run_interpolate(run, t, self->node_x, self->node_u, NULL);
+    memcpy(self->node_x, near->q, bytes);
+    memcpy(self->node_u, near->v, bytes);
+    if (t != near->t) status = tinker_island_run_interpolate(run, t, self->node_x, self->node_u, NULL);
     *q = self->node_x;
     *v = self->node_u;
     if (self->in_plane || run->q == run->state.q) return status;
@@ -209,6 +203,7 @@ TinkerStatus tinker_contact_run_make_room(TinkerContactRun *self)
         guint now = self->triggers->len;
         g_array_set_size(self->triggers, watched);
         g_array_set_size(self->triggers, now);
+        g_array_set_size(self->falling, watched);
     }
     if (room > self->values_room) {
         if (!enlarge(&self->values, 2 * room) || !enlarge(&self->end_values, 2 * room))
