@@ -190,11 +190,13 @@ static int compare_attached(const void *left, const void *right)
 /* Attachments to one body stand together, so that its angle is looked at once; its turn is one for all ends. */
 static void attach_to_bodies(TinkerModel *model)
 {
+    model->first_support = model->points;
+    if (model->turning == 0) return;
     g_autoptr(GArray) attached = g_array_new(FALSE, FALSE, sizeof(Attached));
-    for (guint i = 0; i < model->batches->len && model->turning > 0; i++) {
+    for (guint i = 0; i < model->batches->len; i++) {
         const TinkerBlockBatch *batch = g_ptr_array_index(model->batches, i);
         const gboolean turns = tinker_block_class_speaks_of_angles(batch->block_class);
-        int32_t *points = g_ptr_array_index(model->end_points, i);
+        int32_t *points = model->end_points[i];
         for (int32_t e = 0; e < batch->end_count; e++) {
             const TinkerSceneEnd *end = &batch->end[e];
             const int32_t number = tinker_block_index_find(model->numbers, end->block);
@@ -314,7 +316,7 @@ static void connect_turns(TinkerModel *model, const TinkerBlockBatch *batch, con
 static gboolean connect_ends(TinkerModel *model, const Location *locations, GError **error)
 {
     for (guint i = 0; i < model->batches->len; i++) {
-        int32_t *points = g_ptr_array_index(model->end_points, i);
+        int32_t *points = model->end_points[i];
         if (points != NULL && !connect_batch(model, g_ptr_array_index(model->batches, i), locations, points, error))
             return FALSE;
         const TinkerBlockBatch *batch = g_ptr_array_index(model->batches, i);
@@ -324,18 +326,32 @@ static gboolean connect_ends(TinkerModel *model, const Location *locations, GErr
     return TRUE;
 }
 
-/* Of each batch, -1 for what is not known yet; where it speaks of angles, its turns stand behind. */
+/* The ends of a batch; where it speaks of angles, their turns stand behind. */
+static gsize end_point_count(const TinkerBlockBatch *batch)
+{
+    return (tinker_block_class_speaks_of_angles(batch->block_class) ? 2 : 1) * (gsize)batch->end_count;
+}
+
+/* Of each batch, -1 for what is not known yet. */
 static void allot_end_points(TinkerModel *model)
 {
-    for (guint i = 0; i < model->batches->len; i++) {
+    const guint batches = model->batches->len;
+    gsize points = 0;
+    gboolean any_angles = FALSE;
+    for (guint i = 0; i < batches; i++) {
         const TinkerBlockBatch *batch = g_ptr_array_index(model->batches, i);
-        const int32_t count =
-            tinker_block_class_speaks_of_angles(batch->block_class) ? 2 * batch->end_count : batch->end_count;
-        int32_t *points = count > 0 ? g_new(int32_t, count) : NULL;
-        g_ptr_array_add(model->end_points, points);
-        g_ptr_array_add(model->angles, tinker_angles_new(batch, points));
-        for (int32_t e = 0; e < count; e++)
-            points[e] = -1;
+        points += end_point_count(batch);
+        any_angles |= batch->end_count > 0 && tinker_block_class_speaks_of_angles(batch->block_class);
+    }
+    model->end_points = g_malloc(batches * sizeof(int32_t *) + points * sizeof(int32_t));
+    if (any_angles) model->angles = g_new0(TinkerAngles *, batches);
+    int32_t *next = (int32_t *)(gpointer)(model->end_points + batches);
+    memset(next, 0xff, points * sizeof(int32_t));
+    for (guint i = 0; i < batches; i++) {
+        const TinkerBlockBatch *batch = g_ptr_array_index(model->batches, i);
+        model->end_points[i] = batch->end_count > 0 ? next : NULL;
+        if (any_angles) model->angles[i] = tinker_angles_new(batch, next);
+        next += end_point_count(batch);
     }
 }
 

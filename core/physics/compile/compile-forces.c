@@ -149,15 +149,14 @@ static gsize merge_neighbours(TinkerModel *model, LinearLine *lines, gsize count
 
 static gboolean allot_merged(TinkerMergedLines *merged, gsize count)
 {
-    double **columns[] = {&merged->stiffness, &merged->length, &merged->damping, &merged->tension};
-    merged->a = g_try_new(int32_t, MAX(count, 1));
-    merged->b = g_try_new(int32_t, MAX(count, 1));
-    gboolean all = merged->a != NULL && merged->b != NULL;
-    for (gsize i = 0; i < G_N_ELEMENTS(columns); i++) {
-        *columns[i] = g_try_new(double, MAX(count, 1));
-        all &= *columns[i] != NULL;
-    }
-    return all;
+    merged->stiffness = g_try_malloc_n(MAX(count, 1), 4 * sizeof(double) + 2 * sizeof(int32_t));
+    if (merged->stiffness == NULL) return FALSE;
+    merged->length = merged->stiffness + count;
+    merged->damping = merged->length + count;
+    merged->tension = merged->damping + count;
+    merged->a = (int32_t *)(gpointer)(merged->tension + count);
+    merged->b = merged->a + count;
+    return TRUE;
 }
 
 static void merge_lines(TinkerModel *model, LineWork *work)

@@ -137,8 +137,6 @@ TinkerModel *tinker_model_new_of_batches(TinkerScene *scene, GPtrArray *batches)
     TinkerModel *model = g_new0(TinkerModel, 1);
     model->scene = scene;
     model->batches = batches;
-    model->end_points = g_ptr_array_new_with_free_func(g_free);
-    model->angles = g_ptr_array_new_with_free_func((GDestroyNotify)tinker_angles_free);
     model->warnings = g_ptr_array_new_with_free_func(g_free);
     model->attachments = g_array_new(FALSE, TRUE, sizeof(TinkerAttachment));
     model->asked_lines = g_array_new(FALSE, TRUE, sizeof(TinkerAskedBatch));
@@ -183,8 +181,10 @@ void tinker_model_free(TinkerModel *model)
     tinker_line_parts_free(model->line_parts);
     tinker_motions_free(model->motions);
     tinker_block_index_free(model->numbers);
-    g_ptr_array_unref(model->angles);
-    g_ptr_array_unref(model->end_points);
+    for (guint i = 0; model->angles != NULL && i < model->batches->len; i++)
+        tinker_angles_free(model->angles[i]);
+    g_free(model->angles);
+    g_free(model->end_points);
     g_ptr_array_unref(model->warnings);
     g_ptr_array_unref(model->waveform_batches);
     g_array_unref(model->attachments);
@@ -192,26 +192,13 @@ void tinker_model_free(TinkerModel *model)
     g_array_unref(model->asked_forces);
     g_array_unref(model->asked_fields);
     g_array_unref(model->driven);
-    TinkerMergedLines *lines = &model->lines;
-    gpointer arrays[] = {model->turns,
-                         model->turn_of,
-                         model->failure_text,
-                         model->body_blocks,
-                         model->of_bodies,
-                         model->centre_point,
-                         model->point_used,
-                         model->constant_force,
-                         model->point,
-                         model->point_acceleration,
-                         model->force,
-                         lines->tension,
-                         model->column_views,
-                         model->chunk_offsets,
-                         lines->a,
-                         lines->b,
-                         lines->stiffness,
-                         lines->length,
-                         lines->damping};
+    gpointer arrays[] = {model->turns,         model->turn_of,
+                         model->failure_text,  model->body_blocks,
+                         model->of_bodies,     model->centre_point,
+                         model->point_used,    model->constant_force,
+                         model->point,         model->point_acceleration,
+                         model->force,         model->column_views,
+                         model->chunk_offsets, model->lines.stiffness};
     for (gsize i = 0; i < G_N_ELEMENTS(arrays); i++)
         g_free(arrays[i]);
     g_free(model->velocity_kept);

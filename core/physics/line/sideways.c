@@ -5,6 +5,7 @@
  * taken in the frame that falls with it. The smallest eigenvalue of M^-1/2 K M^-1/2, with K the stiffness across, comes
  * from power iteration on its distance to Gershgorin's upper bound. */
 #include <math.h>
+#include <string.h>
 
 #include "physics/line/linear-form-data.h"
 #include "physics/line/tolerances.h"
@@ -17,6 +18,7 @@ typedef struct {
     const TinkerModel *model;
     const TinkerLine *line;
     double *displacement; /* of each body: from its start to rest */
+    double *sum, *other;  /* of each body: for work */
     int32_t *part_of;     /* of each body: its part, by its first body */
     gboolean *held;       /* of each part: whether it hangs on a support */
 } Rest;
@@ -75,7 +77,8 @@ static void find_loads(const Rest *rest, double *load)
 {
     const TinkerModel *model = rest->model;
     const double *direction = rest->line->direction, *constant = model->constant_acceleration;
-    g_autofree double *sum = g_new0(double, model->bodies), *mass = g_new0(double, model->bodies);
+    double *sum = rest->sum, *mass = rest->other;
+    memset(sum, 0, 2 * (gsize)model->bodies * sizeof(double));
     for (int32_t i = 0; i < model->bodies; i++)
         load[i] = model->mass[i] * (constant[2 * i] * direction[0] + constant[2 * i + 1] * direction[1]);
     for (guint i = 0; i < model->driven->len; i++) {
@@ -101,11 +104,12 @@ static gboolean find_rest_apart(Rest *rest, double stiffest)
 {
     const TinkerModel *model = rest->model;
     const TinkerMergedLines *lines = &model->lines;
-    g_autofree double *stiffness = g_new0(double, model->bodies);
+    double *stiffness = rest->sum;
+    find_loads(rest, rest->displacement);
+    memset(stiffness, 0, (gsize)model->bodies * sizeof(double));
     for (int32_t i = 0; i < lines->count; i++)
         if (MIN(lines->a[i], lines->b[i]) < model->bodies)
             stiffness[MIN(lines->a[i], lines->b[i])] += lines->stiffness[i];
-    find_loads(rest, rest->displacement);
     for (int32_t i = 0; i < model->bodies; i++) {
         if (!rest->held[i]) stiffness[i] += stiffest > 0 ? stiffest : 1.0;
         if (!(stiffness[i] > 0)) return FALSE;
@@ -165,8 +169,8 @@ static double find_across(const Rest *rest, double *across)
 {
     const TinkerModel *model = rest->model;
     const TinkerMergedLines *lines = &model->lines;
-    g_autofree double *sum = g_new0(double, model->bodies);
-    double most = 0;
+    double *sum = rest->sum, most = 0;
+    memset(sum, 0, (gsize)model->bodies * sizeof(double));
     for (int32_t i = 0; i < lines->count; i++) {
         int32_t a = lines->a[i], b = lines->b[i];
         double d = distance(rest, i);
@@ -223,11 +227,11 @@ static double smallest_eigenvalue(const TinkerModel *model, const double *across
 
 double tinker_model_growth_across(TinkerModel *model, const TinkerLine *line)
 {
-    gsize n = (gsize)model->bodies;
-    g_autofree double *displacement = g_new0(double, n), *across = g_new0(double, model->lines.count);
-    g_autofree int32_t *parts = g_new0(int32_t, n);
-    g_autofree gboolean *held = g_new0(gboolean, n);
-    Rest rest = {model, line, displacement, parts, held};
+    const gsize n = (gsize)model->bodies, lines = (gsize)model->lines.count;
+    g_autofree double *room = g_malloc0((3 * n + lines) * sizeof(double) + n * (sizeof(int32_t) + sizeof(gboolean)));
+    double *across = room + 3 * n;
+    int32_t *parts = (int32_t *)(gpointer)(across + lines);
+    Rest rest = {model, line, room, room + n, room + 2 * n, parts, parts + n};
     find_parts(&rest);
     if (!find_rest(&rest)) return 0;
     double bound = find_across(&rest, across), stiffest = 0, least = 0;

@@ -43,10 +43,10 @@ void tinker_angles_free(TinkerAngles *angles)
 
 void tinker_model_place_angles(TinkerModel *model)
 {
-    for (guint i = 0; i < model->batches->len; i++) {
+    for (guint i = 0; model->angles != NULL && i < model->batches->len; i++) {
         const TinkerBlockBatch *batch = g_ptr_array_index(model->batches, i);
-        const int32_t *points = g_ptr_array_index(model->end_points, i);
-        TinkerAngles *angles = g_ptr_array_index(model->angles, i);
+        const int32_t *points = model->end_points[i];
+        TinkerAngles *angles = model->angles[i];
         if (angles == NULL) continue;
         for (int32_t e = 0; e < batch->end_count; e++) {
             angles->placed[e] = model->point[points[e]];
@@ -64,8 +64,8 @@ void tinker_model_place_angles(TinkerModel *model)
 TinkerAngles *tinker_model_angles(const TinkerModel *model, const TinkerBlockBatch *batch)
 {
     guint number;
-    if (!g_ptr_array_find(model->batches, batch, &number) || number >= model->angles->len) return NULL;
-    return g_ptr_array_index(model->angles, number);
+    if (model->angles == NULL || !g_ptr_array_find(model->batches, batch, &number)) return NULL;
+    return model->angles[number];
 }
 
 void tinker_angles_gather(TinkerAngles *angles, const TinkerModel *model, int32_t from, int32_t count)

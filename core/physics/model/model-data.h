@@ -64,7 +64,7 @@ typedef struct {
 typedef struct {
     int32_t count;
     int32_t *a, *b;
-    double *stiffness, *length, *damping, *tension;
+    double *stiffness, *length, *damping, *tension; /* the first is what all of them lie in */
     gboolean any_damping;
     double watched_square; /* m^2: shorter ones are noted, see TinkerModel.watched_length */
     atomic_int *came_near; /* there */
@@ -196,8 +196,8 @@ struct _TinkerModel {
     TinkerScene *scene;
     gboolean part;         /* of the scene: other bodies of it are in other models */
     GPtrArray *batches;    /* of TinkerBlockBatch */
-    GPtrArray *end_points; /* of int32_t *: of each batch, by batch; NULL for one without ends */
-    GPtrArray *angles;     /* of TinkerAngles: of each batch, by batch; NULL for one that knows none */
+    int32_t **end_points;  /* of each batch, by batch; NULL for one without ends. In one piece of memory. */
+    TinkerAngles **angles; /* of each batch, by batch; NULL for one that knows none. NULL where all know none */
     GPtrArray *warnings;
     double origin[2];
 

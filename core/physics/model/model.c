@@ -34,7 +34,7 @@ const int32_t *tinker_model_end_points(const TinkerModel *model, const TinkerBlo
 {
     guint number;
     if (!g_ptr_array_find(model->batches, batch, &number)) return NULL;
-    return g_ptr_array_index(model->end_points, number);
+    return model->end_points[number];
 }
 
 int32_t tinker_model_book_index(const TinkerModel *model, TinkerBook book)

@@ -98,7 +98,7 @@ static int32_t find_sets(const TinkerModel *model, int32_t *set_of)
     tinker_sets_begin(parent, model->bodies);
     for (guint i = 0; i < model->batches->len; i++) {
         const TinkerBlockBatch *batch = batch_at(model, i);
-        if (batch->end_count > 0) join_ends(model, batch, g_ptr_array_index(model->end_points, i), parent);
+        if (batch->end_count > 0) join_ends(model, batch, model->end_points[i], parent);
         if (!is_field(batch) || !physics_of(batch)->field->couples_bodies) continue;
         for (int32_t body = 1; body < model->bodies; body++)
             tinker_sets_join(parent, 0, body);
@@ -157,7 +157,7 @@ static void list_ends(Partitioning *work)
     int32_t number = 0;
     for (guint i = 0; i < model->batches->len; i++) {
         const TinkerBlockBatch *batch = batch_at(model, i);
-        const int32_t *points = g_ptr_array_index(model->end_points, i);
+        const int32_t *points = model->end_points[i];
         work->first[i] = number;
         for (int32_t row = 0; row < batch->count; row++, number++) {
             work->batch_of[number] = (int32_t)i;

@@ -61,6 +61,12 @@ static gboolean swings(const TinkerIsland *island, double omega, const TinkerDec
     return island->linear != NULL || omega > TINKER_LEAST_SWING * decision->speed_of_change;
 }
 
+/* Then nothing grows across its line. */
+static gboolean is_straight(const TinkerIsland *island)
+{
+    return island->linear != NULL && tinker_linear_form_is_straight(island->linear, NULL);
+}
+
 static TinkerIslandPlan *plan_island(const TinkerIsland *island, const TinkerRunOptions *options, GPtrArray *warnings,
                                      GError **error)
 {
@@ -77,7 +83,7 @@ static TinkerIslandPlan *plan_island(const TinkerIsland *island, const TinkerRun
         .constraint_rows = sizes.constraint_rows,
         .redundant_rows = sizes.redundant_rows,
         .linear = island->linear != NULL,
-        .sideways_growth = tinker_model_sideways_growth(island->model),
+        .sideways_growth = is_straight(island) ? 0 : tinker_model_sideways_growth(island->model),
         .omega_max = swings(island, spectrum->omega_max, &decision) ? spectrum->omega_max : 0,
         .damping_max = spectrum->damping_max,
         .growth_max = spectrum->growth_max,
