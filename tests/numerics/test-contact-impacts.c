@@ -208,14 +208,34 @@ static void add_point(double rows[ROWS][3 * BOXES], int32_t point, const double 
     }
 }
 
+/* Impulses without rebound keep the laws, to 1e-6 of the largest velocity. */
+static void assert_laws(int32_t count, const double *w, const double *u, const double *friction, const double *p)
+{
+    const int32_t rows = 2 * count;
+    double largest = 0;
+    for (int32_t i = 0; i < rows; i++)
+        largest = fmax(largest, fabs(u[i]));
+    for (int32_t k = 0; k < count; k++) {
+        const double noise = 1e-6 * largest, pn = p[2 * k], pt = p[2 * k + 1], most = friction[k] * pn;
+        double after[2] = {u[2 * k], u[2 * k + 1]};
+        for (int32_t i = 0; i < 2 * rows; i++)
+            after[i / rows] += w[2 * k * rows + i] * p[i % rows];
+        g_assert_cmpfloat(pn, >=, 0);
+        g_assert_cmpfloat(fabs(pt), <=, most * (1 + 1e-12));
+        g_assert_cmpfloat(after[0], >=, -noise);
+        if (pn > noise) g_assert_cmpfloat(after[0], <=, noise);
+        if (pt > noise - most) g_assert_cmpfloat(after[1], <=, noise);
+        if (pt < most - noise) g_assert_cmpfloat(after[1], >=, -noise);
+    }
+}
+
 /* The laws hold for pivots alone, to 1e-7 of the largest velocity, however degenerate the problem. */
 static void test_pivot(void)
 {
     g_autoptr(GRand) random = g_rand_new_with_seed(5);
     for (int32_t round = 0; round < 200; round++) {
         double rows[ROWS][3 * BOXES] = {0}, places[BOXES][2], v[3 * BOXES], mass[BOXES];
-        double w[ROWS * ROWS] = {0}, u[ROWS] = {0}, least[POINTS] = {0}, friction[POINTS], p[ROWS], after[ROWS];
-        double largest = 0;
+        double w[ROWS * ROWS] = {0}, u[ROWS] = {0}, least[POINTS] = {0}, friction[POINTS], p[ROWS];
         for (int32_t i = 0; i < BOXES; i++) {
             places[i][0] = 0.5 * i;
             places[i][1] = g_rand_double_range(random, -0.1, 0.1);
@@ -238,21 +258,38 @@ static void test_pivot(void)
         g_autofree double *room = g_new(double, tinker_impact_pivot_room(POINTS));
         const TinkerImpact impact = {POINTS, w, u, NULL, friction, least};
         g_assert_true(tinker_impact_pivot(&impact, room, p));
-        for (int32_t i = 0; i < ROWS; i++) {
-            after[i] = u[i];
-            for (int32_t j = 0; j < ROWS; j++)
-                after[i] += w[i * ROWS + j] * p[j];
-            largest = fmax(largest, fabs(u[i]));
+        assert_laws(POINTS, w, u, friction, p);
+    }
+}
+
+/* Contacts of two bodies, some of them next to others: corners that meet corners hold nearly the same place twice. */
+static void test_twins(void)
+{
+    enum { CONTACTS = 7, COORDINATES = 6 };
+    g_autoptr(GRand) random = g_rand_new_with_seed(2);
+    for (int32_t round = 0; round < 500; round++) {
+        double rows[2 * CONTACTS][COORDINATES], v[COORDINATES];
+        double w[4 * CONTACTS * CONTACTS] = {0}, u[2 * CONTACTS] = {0}, p[2 * CONTACTS];
+        double friction[CONTACTS], restitution[CONTACTS] = {0};
+        for (int32_t i = 0; i < 2 * CONTACTS; i++) {
+            const int32_t twin = i % 4 < 2 ? -1 : i - 2;
+            const double apart = pow(10, -g_rand_double_range(random, 6, 10));
+            for (int32_t c = 0; c < COORDINATES; c++)
+                rows[i][c] =
+                    (twin < 0 ? 0 : rows[twin][c]) + (twin < 0 ? 1 : apart) * g_rand_double_range(random, -1, 1);
+            friction[i / 2] = 0.1 * (1 + round % 8);
         }
-        for (int32_t k = 0; k < POINTS; k++) {
-            const double noise = 1e-6 * largest, pn = p[2 * k], pt = p[2 * k + 1], most = friction[k] * pn;
-            g_assert_cmpfloat(pn, >=, 0);
-            g_assert_cmpfloat(fabs(pt), <=, most * (1 + 1e-12));
-            g_assert_cmpfloat(after[2 * k], >=, -noise);
-            if (pn > noise) g_assert_cmpfloat(after[2 * k], <=, noise);
-            if (pt > noise - most) g_assert_cmpfloat(after[2 * k + 1], <=, noise);
-            if (pt < most - noise) g_assert_cmpfloat(after[2 * k + 1], >=, -noise);
-        }
+        for (int32_t c = 0; c < COORDINATES; c++)
+            v[c] = g_rand_double_range(random, -1, 1);
+        for (int32_t i = 0; i < 2 * CONTACTS; i++)
+            for (int32_t c = 0; c < COORDINATES; c++) {
+                u[i] += rows[i][c] * v[c];
+                for (int32_t j = 0; j < 2 * CONTACTS; j++)
+                    w[i * 2 * CONTACTS + j] += rows[i][c] * rows[j][c];
+            }
+        const TinkerImpact impact = {CONTACTS, w, u, restitution, friction};
+        g_assert_cmpint(tinker_impact_solve(&impact, p), ==, TINKER_CONTACT_SOLVED);
+        assert_laws(CONTACTS, w, u, friction, p);
     }
 }
 
@@ -267,5 +304,6 @@ int main(int argc, char **argv)
     g_test_add_func("/contact-laws/impact/degenerate", test_degenerate_impacts);
     g_test_add_func("/contact-laws/impact/wedge", test_wedge);
     g_test_add_func("/contact-laws/impact/pivot", test_pivot);
+    g_test_add_func("/contact-laws/impact/twins", test_twins);
     return g_test_run();
 }

@@ -75,7 +75,8 @@ typedef struct {
  * of p . (u + u') / 2 over all contacts > 0), all coefficients of restitution are taken as smaller by one common
  * factor, the largest that does not; so too where bodies wedge, so that no impulses make them rebound as much. That
  * does not apply to `least`, for which restitution may be NULL. Where the laws leave several answers, a contact by
- * itself sticks if it can. Velocities that miss what W can do by rounding are met to 1e-10 of the largest. */
+ * itself sticks if it can. Velocities that miss what W can do by rounding are met to 1e-10 of the largest; where W is
+ * so nearly singular that nothing does, to 1e-7. */
 TinkerContactResult tinker_impact_solve(const TinkerImpact *impact, double *impulses);
 
 /* Solves the laws of impact with `least` for very many contacts, to 1e-14 of the largest velocity or as near as 500

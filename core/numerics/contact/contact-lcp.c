@@ -122,7 +122,10 @@ gboolean tinker_contact_by_complementarity(TinkerContactWork *work, double softe
             work->p[2 * k + 1] = tinker_contact_slope(problem, k, TINKER_STATE_FREE) * normal;
             work->state[k] = TINKER_STATE_FREE;
         }
-        if (normal == 0) work->state[k] = TINKER_STATE_OPEN;
+        if (normal == 0) { /* where the solver gave up friction may be left without it */
+            work->state[k] = TINKER_STATE_OPEN;
+            work->p[2 * k + 1] = 0;
+        }
         at += unknowns_of(problem, k);
     }
     return TRUE;

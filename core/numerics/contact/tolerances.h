@@ -14,7 +14,8 @@
 #define TINKER_SET_LITTLE_APART 1e-12
 /* No unit; of the largest constant: a covering unknown that is smaller at the end of a path is rounding. */
 #define TINKER_COVERS_NOTHING 1e-8
-/* No unit; of the largest velocity: what pivots alone find may miss a law by this. */
+/* No unit; of the largest velocity: what pivots alone find may miss a law by this. Held by:
+ * numerics-contact-impacts. */
 #define TINKER_PIVOTED 1e-7
 /* No unit; of the terms that meet in an inequality: a solution may miss it by this; if none keeps to that, by this
  * share of the largest constant. */
