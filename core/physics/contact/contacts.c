@@ -99,21 +99,45 @@ static void find_surfaces(TinkerContacts *contacts)
     }
 }
 
-/* What constraints tie together, known by the first of them. */
-static void find_groups(TinkerContacts *contacts)
+/* Sets of bodies: what constraints tie together. */
+static void tie_together(const TinkerModel *model, int32_t *sets)
 {
-    const TinkerModel *model = contacts->model;
     const TinkerConstraints *all = &model->constraints;
-    tinker_sets_begin(contacts->group, model->bodies);
+    tinker_sets_begin(sets, model->bodies);
     for (int32_t row = 0; row < all->rows; row++) {
         int32_t first = -1;
         for (int32_t e = all->row_starts[row]; e < all->row_starts[row + 1]; e++) {
             if (all->points[e] >= model->bodies) continue;
-            contacts->held[all->points[e]] = TRUE;
-            if (first >= 0) tinker_sets_join(contacts->group, first, all->points[e]);
+            if (first >= 0) tinker_sets_join(sets, first, all->points[e]);
             first = all->points[e];
         }
     }
+}
+
+int32_t *tinker_contacts_leaning(const TinkerContacts *contacts)
+{
+    const TinkerModel *model = contacts->model;
+    int32_t *sets = g_new(int32_t, MAX(model->bodies, 1));
+    tie_together(model, sets);
+    for (guint i = 0; i < contacts->closed->len; i++) {
+        const TinkerContact *contact = tinker_contacts_closed(contacts, i);
+        const TinkerTouchingPair *pair = contacts->plates[contact->plate].pair;
+        if (pair != NULL && pair->point[1] < model->bodies) tinker_sets_join(sets, pair->point[0], pair->point[1]);
+    }
+    for (int32_t i = 0; i < model->bodies; i++)
+        sets[i] = tinker_sets_first(sets, i);
+    return sets;
+}
+
+/* What constraints tie together, and what may meet, known by the first of them. */
+static void find_groups(TinkerContacts *contacts)
+{
+    const TinkerModel *model = contacts->model;
+    const TinkerConstraints *all = &model->constraints;
+    tie_together(model, contacts->group);
+    for (int32_t row = 0; row < all->rows; row++)
+        for (int32_t e = all->row_starts[row]; e < all->row_starts[row + 1]; e++)
+            if (all->points[e] < model->bodies) contacts->held[all->points[e]] = TRUE;
     for (int32_t i = 0; i < contacts->pair_count; i++)
         if (contacts->pairs[i].point[1] < model->bodies)
             tinker_sets_join(contacts->group, contacts->pairs[i].point[0], contacts->pairs[i].point[1]);

@@ -360,6 +360,9 @@ static inline gboolean tinker_contact_block_is_full(const TinkerContactBlock *bl
 {
     return block->elimination != NULL ? block->full : tinker_dense_solve_is_full(block->solve[FALSE]);
 }
+/* For each body the first of those that lean on one another with it, by closed contacts and by what ties them.
+ * (transfer full) */
+int32_t *tinker_contacts_leaning(const TinkerContacts *contacts);
 /* Takes over the shares of the load (base_normal, base_friction) of contacts whose equations are listed. */
 void tinker_contacts_take_shares(TinkerContacts *contacts);
 /* Records that there is no memory for the equations of so many contacts at once, as the model's failure. Answers

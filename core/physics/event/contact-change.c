@@ -265,6 +265,7 @@ gboolean tinker_contact_run_change(TinkerContactRun *self, const TinkerTrigger *
 {
     double reach = fmax(tolerance, 2 * TINKER_TOUCHING); /* of the other side of a guide */
     note_instant(self);
+    tinker_contact_run_note_turn(self, trigger);
     if (tinker_model_set_time(self->model, self->run->state.t) != TINKER_OK)
         return tinker_island_run_fail(self->run, self->model->failure, error);
     tinker_model_set_state(self->model, self->run->state.q, self->run->state.v);

@@ -12,12 +12,18 @@
 /* Of the forces of pins. */
 #define MOST_PASSES 100
 
+/* Whether it has no speed, as nearly as the method tells. */
+static gboolean is_slow(const TinkerContactChange *change, double speed)
+{
+    const double noise = fmax(TINKER_STOPPED, TINKER_STOPPED_NOISES * tinker_contact_run_speed_noise(change->run));
+    return fabs(speed) <= noise * change->speed;
+}
+
 /* Whether the event is that this speed along the top has come to 0: the method makes no less of it. */
 static gboolean has_stopped(const TinkerContactChange *change, double speed)
 {
     const TinkerTriggerKind kind = change->trigger.kind;
-    double noise = fmax(TINKER_STOPPED, TINKER_STOPPED_NOISES * tinker_contact_run_speed_noise(change->run));
-    return (kind == TINKER_TRIGGER_SPEED || kind == TINKER_TRIGGER_STARTING) && fabs(speed) <= noise * change->speed;
+    return (kind == TINKER_TRIGGER_SPEED || kind == TINKER_TRIGGER_STARTING) && is_slow(change, speed);
 }
 
 /* Whether a corner slides, behind a blow, by too little to be seen. Blocks that rock down to rest strike with their
@@ -55,6 +61,24 @@ static int8_t sliding_of(const TinkerContactChange *change, guint number, double
     gboolean stops = tinker_change_is_trigger(change, at) || at->struck || !begins;
     if (stops || at->was == TINKER_CONTACT_OPEN || at->was == TINKER_CONTACT_STICK) return 0;
     return at->was == TINKER_CONTACT_SLIP_FORWARD ? 1 : -1;
+}
+
+/* Bodies that lean on one another stop all at once, where the event is of one of them only: whatever slides but has no
+ * speed is asked which way it goes. Answers whether that is anything. */
+static gboolean ask_slow(const TinkerContactChange *change, const TinkerContactLaws *laws)
+{
+    gboolean any = FALSE;
+    for (guint i = 0; i < laws->count; i++) {
+        const TinkerTouch *at = tinker_touch(change, i);
+        const gboolean limit =
+            change->trigger.kind == TINKER_TRIGGER_FORWARD || change->trigger.kind == TINKER_TRIGGER_BACKWARD;
+        if (laws->sliding[i] == 0 || tinker_touch_surface(change, i).static_friction == 0) continue;
+        if (limit && change->forced && tinker_change_is_trigger(change, at) && !at->struck) continue;
+        if (!is_slow(change, at->place.tangential_speed)) continue;
+        laws->sliding[i] = 0;
+        any = TRUE;
+    }
+    return any;
 }
 
 /* What has no speed along its top goes over the end where that is the event, unless a blow has stopped it there. */
@@ -115,7 +139,9 @@ static TinkerContactResult ask_modes(TinkerContactChange *change, TinkerContactL
     TinkerClosedContacts closed = {
         (int32_t)laws->count,       laws->delassus, laws->pairs, laws->sliding, laws->first, laws->second,
         TINKER_FORCE_NOISE * scale, laws->motion,   laws->bearer};
+    if (tinker_contact_run_goes_by_turns(change->run, &change->trigger)) ask_slow(change, laws);
     TinkerContactResult result = solve_modes(change, &closed, laws);
+    if (result == TINKER_CONTACT_NO_ACCELERATION && ask_slow(change, laws)) result = solve_modes(change, &closed, laws);
     if (result != TINKER_CONTACT_NO_ACCELERATION) return result;
     g_autofree double *velocity = g_try_new(double, 2 * laws->count);
     if (velocity == NULL) return TINKER_CONTACT_NO_MEMORY;

@@ -104,6 +104,7 @@ struct _TinkerContactRun {
      * the second or third power of time, less than the error of a method of low order, or than rounding: what tells
      * whether they part is the acceleration. */
     GArray *leaving;
+    GArray *turns;    /* of contacts that change by turns (contact-turns.c) */
     GArray *triggers; /* of TinkerTrigger: those of the step */
     GArray *falling;  /* of guint: those of places that may fall to 0 in the step */
     double *values;   /* of triggers, node by node */
@@ -193,6 +194,12 @@ double tinker_contact_run_unclear_speed(const TinkerContactRun *contact_run);
 
 /* Whether the pair has just opened. */
 gboolean tinker_contact_run_leaves(const TinkerContactRun *contact_run, const TinkerContactPair *pair);
+
+/* Contacts that change by turns: (transfer full) none at first; notes a change by a force, an acceleration or a speed;
+ * whether one has done so more often than a motion does. */
+GArray *tinker_contact_turns_new(void);
+void tinker_contact_run_note_turn(TinkerContactRun *contact_run, const TinkerTrigger *trigger);
+gboolean tinker_contact_run_goes_by_turns(const TinkerContactRun *contact_run, const TinkerTrigger *trigger);
 
 void tinker_contact_flight_init(TinkerContactFlight *flight, const TinkerContactRun *contact_run, gboolean exact);
 void tinker_contact_flight_clear(TinkerContactFlight *flight);

@@ -37,6 +37,7 @@ static void allot(TinkerContactRun *self)
     guint pairs = MIN(MOST_EXPECTED, (guint)(self->model->bodies * (gint64)self->contacts->plate_count));
     self->near = g_array_sized_new(FALSE, FALSE, sizeof(TinkerContactPair), pairs);
     self->leaving = g_array_sized_new(FALSE, FALSE, sizeof(TinkerContactPair), pairs);
+    self->turns = tinker_contact_turns_new();
     self->triggers = g_array_sized_new(FALSE, FALSE, sizeof(TinkerTrigger), 2 * pairs);
     self->falling = g_array_sized_new(FALSE, FALSE, sizeof(guint), 2 * pairs);
     self->values_room = 2 * pairs * (gsize)(TINKER_MOST_DEGREE + 1);
@@ -86,6 +87,7 @@ void tinker_contact_run_free(TinkerContactRun *self)
     tinker_contact_flight_clear(&self->flight);
     g_array_unref(self->near);
     g_array_unref(self->leaving);
+    g_array_unref(self->turns);
     g_array_unref(self->triggers);
     g_array_unref(self->falling);
     gpointer arrays[] = {self->from.q,      self->from.v,      self->from.books,  self->node_x,

@@ -23,12 +23,20 @@ static gboolean keeps_laws(const TinkerContacts *contacts, const TinkerContact *
     return contact->normal >= 0 && (contact->mode != TINKER_CONTACT_STICK || fabs(contact->friction) <= most);
 }
 
+/* Whether the load of this closed contact is shared anew. */
+static gboolean is_asked(const TinkerContactChange *change, const TinkerContact *contact)
+{
+    const int32_t *leaning = change->leaning;
+    if (change->contacts->group[contact->body] != change->group) return FALSE;
+    return leaning == NULL || leaning[contact->body] == leaning[change->trigger.body];
+}
+
 /* The share of least norm. */
 static void share_evenly(TinkerContactChange *change, const TinkerContact *kept)
 {
     TinkerContacts *contacts = change->contacts;
     for (guint i = 0; i < contacts->closed->len; i++) {
-        if (contacts->group[kept[i].body] != change->group) continue;
+        if (!is_asked(change, &kept[i])) continue;
         TinkerContact *contact = tinker_contacts_closed(contacts, i);
         contact->base_normal = contact->base_friction = 0;
     }
@@ -60,8 +68,7 @@ static gboolean try_share(TinkerContactChange *change, void (*share)(TinkerConta
     tinker_contacts_take_shares(contacts);
     gboolean keeps = tinker_contact_run_look_at(change->run, state->t, state->q, state->v, NULL) == TINKER_OK;
     for (guint i = 0; keeps && i < contacts->closed->len; i++)
-        if (contacts->group[kept[i].body] == change->group)
-            keeps = keeps_laws(contacts, tinker_contacts_closed(contacts, i));
+        if (is_asked(change, &kept[i])) keeps = keeps_laws(contacts, tinker_contacts_closed(contacts, i));
     if (keeps) return TRUE;
     memcpy(contacts->closed->data, kept, contacts->closed->len * sizeof(TinkerContact));
     tinker_contacts_take_shares(contacts);
@@ -88,7 +95,7 @@ static gboolean presses_all(TinkerContactChange *change, double least)
     gboolean all = tinker_contact_run_look_at(change->run, state->t, state->q, state->v, NULL) == TINKER_OK;
     for (guint i = 0; all && i < contacts->closed->len; i++) {
         const TinkerContact *contact = tinker_contacts_closed(contacts, i);
-        if (contacts->group[contact->body] != change->group || tinker_contacts_resists(contacts, contact)) continue;
+        if (!is_asked(change, contact) || tinker_contacts_resists(contacts, contact)) continue;
         all = keeps_laws(contacts, contact) && contact->normal >= 0.5 * least;
     }
     return all;
@@ -104,12 +111,12 @@ static gboolean share_within(TinkerContactChange *change)
     g_autofree TinkerContact *kept = g_memdup2(contacts->closed->data, contacts->closed->len * sizeof(TinkerContact));
     double least = 0;
     for (guint i = 0; i < contacts->closed->len; i++)
-        if (contacts->group[kept[i].body] == change->group) least = fmax(least, kept[i].base_normal);
+        if (is_asked(change, &kept[i])) least = fmax(least, kept[i].base_normal);
     for (int pass = 0; least > 0 && pass < MOST_PASSES; pass++) {
         if (pass % PASSES_EACH == 0) least *= pass == 0 ? LARGEST_LEAST : LESS;
         for (guint i = 0; i < contacts->closed->len; i++) {
             TinkerContact *contact = tinker_contacts_closed(contacts, i);
-            if (contacts->group[contact->body] == change->group && !tinker_contacts_resists(contacts, contact))
+            if (is_asked(change, contact) && !tinker_contacts_resists(contacts, contact))
                 press(contacts, contact, least);
         }
         if (presses_all(change, least)) return TRUE;
@@ -131,10 +138,22 @@ gboolean tinker_change_shares_load(const TinkerContactChange *change)
     return FALSE;
 }
 
+/* As tinker_change_share_load, of what leans on the contact that the event is of: others may stand at an edge for good.
+ */
+static gboolean share_where_it_turns(TinkerContactChange *change)
+{
+    change->leaning = tinker_contacts_leaning(change->contacts);
+    const gboolean shared = try_share(change, share_evenly) || share_within(change);
+    g_clear_pointer(&change->leaning, g_free);
+    return shared;
+}
+
 gboolean tinker_change_share_load(TinkerContactChange *change)
 {
     if (try_share(change, share_evenly)) return TRUE;
-    if (change->run->at_once >= MANY_AT_ONCE && share_within(change)) return TRUE;
+    const gboolean turns = tinker_contact_run_goes_by_turns(change->run, &change->trigger);
+    if ((turns || change->run->at_once >= MANY_AT_ONCE) && share_within(change)) return TRUE;
+    if (turns && change->trigger.row < 0 && share_where_it_turns(change)) return TRUE;
     try_share(change, share_by_load);
     return FALSE;
 }
