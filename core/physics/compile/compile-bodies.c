@@ -369,10 +369,10 @@ static void mark_moving(TinkerModel *model)
 static void allot_points(TinkerModel *model)
 {
     gsize n = (gsize)MAX(model->points, 1);
-    model->point = g_new0(TinkerPoint, n);
-    model->point_acceleration = g_new0(double, 2 * n);
+    model->point = g_malloc0_n(n, sizeof(TinkerPoint) + 2 * sizeof(double) + sizeof(gboolean));
+    model->point_acceleration = (double *)(gpointer)(model->point + n);
+    model->point_used = (gboolean *)(gpointer)(model->point_acceleration + 2 * n);
     model->force = g_new0(double, 2 * n);
-    model->point_used = g_new0(gboolean, n);
     for (int32_t point = model->first_support; point < model->points; point++) {
         const TinkerAttachment *at = tinker_model_attachment(model, point);
         model->point[point] = (TinkerPoint){at->x, at->y, 0, 0};

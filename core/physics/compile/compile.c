@@ -192,13 +192,9 @@ void tinker_model_free(TinkerModel *model)
     g_array_unref(model->asked_forces);
     g_array_unref(model->asked_fields);
     g_array_unref(model->driven);
-    gpointer arrays[] = {model->turns,         model->turn_of,
-                         model->failure_text,  model->body_blocks,
-                         model->of_bodies,     model->centre_point,
-                         model->point_used,    model->constant_force,
-                         model->point,         model->point_acceleration,
-                         model->force,         model->column_views,
-                         model->chunk_offsets, model->lines.stiffness};
+    gpointer arrays[] = {model->turns,     model->turn_of,      model->failure_text,   model->body_blocks,
+                         model->of_bodies, model->centre_point, model->constant_force, model->point,
+                         model->force,     model->column_views, model->chunk_offsets,  model->lines.stiffness};
     for (gsize i = 0; i < G_N_ELEMENTS(arrays); i++)
         g_free(arrays[i]);
     g_free(model->velocity_kept);

@@ -562,15 +562,17 @@ TinkerStatus tinker_contacts_list_rows(TinkerContacts *contacts)
     sort_closed(contacts);
     clear_rows(contacts);
     find_bearers(contacts);
+    g_array_set_size(contacts->simple, contacts->closed->len);
+    int32_t *simple = (int32_t *)(void *)contacts->simple->data, alone = 0;
     for (guint i = 0; i < contacts->closed->len; i++) {
         const TinkerContact *contact = tinker_contacts_closed(contacts, i);
-        int32_t number = (int32_t)i;
         if (tinker_contact_slip_share(contacts, contact) != 0) contacts->any_slip_friction = TRUE;
         if (stands_alone(contacts, i))
-            g_array_append_val(contacts->simple, number);
+            simple[alone++] = (int32_t)i;
         else
-            add_rows(contacts, number);
+            add_rows(contacts, (int32_t)i);
     }
+    g_array_set_size(contacts->simple, (guint)alone);
     if (allot_rows(contacts)) return TINKER_OK;
     const gsize count = contacts->closed->len;
     tinker_contacts_open_all(contacts);

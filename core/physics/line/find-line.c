@@ -99,6 +99,7 @@ gboolean tinker_motion_directions(const TinkerBlockBatch *batch, double *directi
 /* Only supports that something hangs on matter. */
 static gboolean moves_along(const TinkerModel *model, const TinkerLine *line)
 {
+    if (model->moving_supports == 0) return TRUE;
     g_autoptr(GHashTable) used = g_hash_table_new(NULL, NULL);
     for (int32_t point = model->first_support; point < model->points; point++)
         if (model->point_used[point])

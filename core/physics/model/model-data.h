@@ -244,7 +244,7 @@ struct _TinkerModel {
     gboolean has_book[TINKER_BOOK_COUNT];
 
     /* working state */
-    TinkerPoint *point;
+    TinkerPoint *point;         /* with point_acceleration and point_used behind it */
     double *point_acceleration; /* 2 per point; of supports kept up to date, of bodies by whoever needs it */
     double *force;              /* 2 per point, and behind them 2 per slot of the line parts */
     int32_t chunk_rows;         /* at most TINKER_CHUNK: no batch has more rows, or they are asked in several goes */

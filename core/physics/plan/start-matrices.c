@@ -112,13 +112,13 @@ TinkerStartMatrices *tinker_start_matrices_new(const TinkerIsland *island)
     self->linear = island->linear != NULL ? tinker_linear_form_system(island->linear) : NULL;
     self->n = self->linear != NULL ? self->linear->size : island->model->coordinates;
     gsize n = (gsize)MAX(self->n, 1);
-    self->inverse_root = g_new0(double, n);
+    self->inverse_root = g_new0(double, 6 * n);
     self->geometry = g_array_new(FALSE, FALSE, sizeof(TinkerStiffnessEntry));
-    self->acceleration = g_new0(double, n);
-    self->velocity = g_new0(double, n);
-    self->input = g_new0(double, n);
-    self->output = g_new0(double, n);
-    self->projected = g_new0(double, n);
+    self->acceleration = self->inverse_root + n;
+    self->velocity = self->acceleration + n;
+    self->input = self->velocity + n;
+    self->output = self->input + n;
+    self->projected = self->output + n;
     const double *mass = self->linear != NULL ? self->linear->mass : island->model->coordinate_mass;
     for (int32_t i = 0; i < self->n; i++)
         self->inverse_root[i] = 1.0 / sqrt(mass[i]);
@@ -134,10 +134,9 @@ void tinker_start_matrices_free(TinkerStartMatrices *self)
     if (self == NULL) return;
     tinker_jacobian_free(self->jacobian);
     g_array_unref(self->geometry);
-    gpointer arrays[] = {self->inverse_root, self->stiffness, self->damping, self->acceleration,
-                         self->velocity,     self->input,     self->output,  self->projected};
-    for (gsize i = 0; i < G_N_ELEMENTS(arrays); i++)
-        g_free(arrays[i]);
+    g_free(self->inverse_root);
+    g_free(self->stiffness);
+    g_free(self->damping);
     g_free(self);
 }
 
