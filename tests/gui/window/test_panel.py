@@ -162,7 +162,7 @@ def test_change_of_the_start_goes_back(display):
 
 
 def weight(label):
-    return int(label.call("org.a11y.atspi.Text", "GetDefaultAttributes")[0]["weight"])
+    return int(label.call("org.a11y.atspi.Text", "GetDefaultAttributes")["weight"])
 
 
 def test_groups_close_and_have_bold_titles(display):

@@ -2,7 +2,6 @@
 """Velocity, acceleration, net force and trails on the canvas, of bodies that fall freely: v = g t, a = g, g t^2 / 2 of way."""
 import os
 
-from gi.repository import GLib
 from harness import App, check, check_close, check_equal, colours, main, mass, scene, wait
 
 MOTION = (0x0b, 0x8a, 0x8a)
@@ -16,7 +15,7 @@ def falling(x=0, name="Ball"):
 
 
 def go_to(app, time):
-    app.activate("go-to", GLib.Variant("d", time))
+    app.activate("go-to", float(time))
     wait(lambda: abs(app.time() - time) < 1e-3, f"the time {time} s")
 
 

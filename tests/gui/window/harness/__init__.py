@@ -1,6 +1,6 @@
 """A real window on a display that nobody sees, worked by mouse and keyboard, read by what assistive programs read.
 
-Only what Debian has: python3-gi, Xvfb, xdotool, dbus-daemon and the accessibility bus (at-spi2-core).
+Only what Debian has: python3-dbus, Xvfb, xdotool, dbus-daemon and the accessibility bus (at-spi2-core).
 """
 from . import colours
 from .app import App

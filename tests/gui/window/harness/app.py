@@ -6,17 +6,13 @@ import re
 import subprocess
 import time
 
-import gi
-
-gi.require_version("Gio", "2.0")
-from gi.repository import Gio, GLib  # noqa: E402
-
-from . import colours, scenes  # noqa: E402
-from .display import end_with_parent  # noqa: E402
-from .keystrokes import Effort  # noqa: E402
-from .tap import Failure, check, keep_picture, say  # noqa: E402
-from .tree import Tree  # noqa: E402
-from .waiting import PATIENCE, Gone, TooLate, wait  # noqa: E402
+from . import colours, scenes
+from .bus import Bus
+from .display import end_with_parent
+from .keystrokes import Effort
+from .tap import Failure, check, keep_picture, say
+from .tree import Tree
+from .waiting import PATIENCE, Gone, TooLate, wait
 
 PROGRAM = os.environ.get("TINKER_GUI", "tinker-gui")
 BUS_NAME = "org.tinker.Tinker"
@@ -52,10 +48,7 @@ class App:
         self.factor = int(self.environment.get("GDK_SCALE", 1))  # pixels on the screen for each that GTK tells of
         self.complaints_file = self.home / "stderr"
         self.process = self._start([PROGRAM, *arguments, *([str(self.file)] if self.file else [])])
-        self.session = Gio.DBusConnection.new_for_address_sync(
-            display.environment["DBUS_SESSION_BUS_ADDRESS"],
-            Gio.DBusConnectionFlags.AUTHENTICATION_CLIENT | Gio.DBusConnectionFlags.MESSAGE_BUS_CONNECTION, None, None)
-        self.session.set_exit_on_close(False)
+        self.session = Bus(display.environment["DBUS_SESSION_BUS_ADDRESS"])
         self.tree = Tree(self.session)
         self.actions_taken = 0
         self.effort = Effort()
@@ -155,12 +148,10 @@ class App:
     def activate(self, action, *arguments, of="win"):
         """What menus, keys and buttons do, for what a test does not look at by itself."""
         path = OBJECT if of == "app" else f"{OBJECT}/window/1"
-        self.session.call_sync(BUS_NAME, path, "org.gtk.Actions", "Activate",
-                               GLib.Variant("(sava{sv})", (action, list(arguments), {})), None, 0, 20000, None)
+        self.session.call(BUS_NAME, path, "org.gtk.Actions", "Activate", "sava{sv}", action, arguments, {})
 
     def is_enabled(self, action):
-        enabled, _, _ = self.session.call_sync(BUS_NAME, f"{OBJECT}/window/1", "org.gtk.Actions", "Describe",
-                                               GLib.Variant("(s)", (action,)), None, 0, 20000, None).unpack()[0]
+        enabled, _, _ = self.session.call(BUS_NAME, f"{OBJECT}/window/1", "org.gtk.Actions", "Describe", "s", action)
         return enabled
 
     # Finding and reading

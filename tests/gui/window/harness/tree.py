@@ -2,15 +2,10 @@
 import collections
 import time
 
-import gi
-
-gi.require_version("Gio", "2.0")
-from gi.repository import Gio, GLib  # noqa: E402
-
-from .waiting import Gone  # noqa: E402
+from .bus import Bus
+from .waiting import Gone
 
 ACCESSIBLE = "org.a11y.atspi.Accessible"
-TIMEOUT = 20000  # ms
 PROGRAM = 75     # the role of what all windows are in
 PAUSE = 2        # s, between two times that everybody is asked
 IN_WINDOW = 1    # coordinates: those of the screen are not told by GTK 4
@@ -33,7 +28,7 @@ class Node:
     """One widget. Its name, role and states are those of the moment it was found; everything else is asked for."""
 
     def __init__(self, tree, item):
-        (self.bus, self.path), _, parent, self.index, self.child_count, self.interfaces, self.name, self.role_number, \
+        (self.owner, self.path), _, parent, self.index, self.child_count, self.interfaces, self.name, self.role_number, \
             self.description, states = item
         self.tree, self.parent_path = tree, parent[1]
         self.name = plain(self.name)
@@ -64,12 +59,11 @@ class Node:
     def __repr__(self):
         return f"{self.role} “{self.name}”"
 
-    def call(self, interface, method, signature=None, *values):
-        arguments = GLib.Variant(signature, values) if signature else None
-        return self.tree.call(self.bus, self.path, interface, method, arguments)
+    def call(self, interface, method, signature="", *values):
+        return self.tree.bus.call(self.owner, self.path, interface, method, signature, *values)
 
     def get(self, interface, name):
-        return self.call("org.freedesktop.DBus.Properties", "Get", "(ss)", interface, name)[0]
+        return self.call("org.freedesktop.DBus.Properties", "Get", "ss", interface, name)
 
     def has_place(self):
         """Pages of a stack, and the program itself, have none."""
@@ -84,11 +78,11 @@ class Node:
 
     def box(self):
         """(x, y, width, height) within its window."""
-        return self.call("org.a11y.atspi.Component", "GetExtents", "(u)", IN_WINDOW)[0]
+        return self.call("org.a11y.atspi.Component", "GetExtents", "u", IN_WINDOW)
 
     def text(self):
         count = self.get("org.a11y.atspi.Text", "CharacterCount")
-        return self.call("org.a11y.atspi.Text", "GetText", "(ii)", 0, count)[0]
+        return self.call("org.a11y.atspi.Text", "GetText", "ii", 0, count)
 
     def value(self):
         return self.get("org.a11y.atspi.Value", "CurrentValue")
@@ -97,8 +91,7 @@ class Node:
         return self.get("org.a11y.atspi.Value", "MaximumValue")
 
     def set_value(self, value):
-        self.call("org.freedesktop.DBus.Properties", "Set", "(ssv)", "org.a11y.atspi.Value", "CurrentValue",
-                  GLib.Variant("d", value))
+        self.call("org.freedesktop.DBus.Properties", "Set", "ssv", "org.a11y.atspi.Value", "CurrentValue", float(value))
 
     def parent(self):
         return self.tree.by_path.get(self.parent_path)
@@ -117,30 +110,20 @@ class Tree:
     """All widgets of one program at one moment; refresh() takes another moment."""
 
     def __init__(self, session):
-        address = session.call_sync("org.a11y.Bus", "/org/a11y/bus", "org.a11y.Bus", "GetAddress", None, None, 0,
-                                    TIMEOUT, None).unpack()[0]
-        flags = Gio.DBusConnectionFlags.AUTHENTICATION_CLIENT | Gio.DBusConnectionFlags.MESSAGE_BUS_CONNECTION
-        self.connection = Gio.DBusConnection.new_for_address_sync(address, flags, None, None)
-        self.connection.set_exit_on_close(False)
+        self.bus = Bus(session.call("org.a11y.Bus", "/org/a11y/bus", "org.a11y.Bus", "GetAddress"))
         self.bus_name = None
         self.nodes, self.by_path = [], {}
         self.asked_all = 0  # when everybody was asked
         self.asked = set()  # (path, children it tells of, children that are listed): in vain
 
-    def call(self, bus, path, interface, method, arguments=None):
-        try:
-            return self.connection.call_sync(bus, path, interface, method, arguments, None, 0, TIMEOUT, None).unpack()
-        except GLib.Error as error:
-            raise Gone(f"{interface}.{method}: {error.message}") from None
-
     def find_program(self, process_id):
         """Whether the program is on the bus by now."""
-        programs = self.call("org.a11y.atspi.Registry", "/org/a11y/atspi/accessible/root", ACCESSIBLE, "GetChildren")[0]
-        for bus, _ in programs:
-            owner = self.call("org.freedesktop.DBus", "/org/freedesktop/DBus", "org.freedesktop.DBus",
-                              "GetConnectionUnixProcessID", GLib.Variant("(s)", (bus,)))[0]
+        programs = self.bus.call("org.a11y.atspi.Registry", "/org/a11y/atspi/accessible/root", ACCESSIBLE, "GetChildren")
+        for name, _ in programs:
+            owner = self.bus.call("org.freedesktop.DBus", "/org/freedesktop/DBus", "org.freedesktop.DBus",
+                                  "GetConnectionUnixProcessID", "s", name)
             if owner == process_id:
-                self.bus_name = bus
+                self.bus_name = name
         return self.bus_name is not None
 
     def is_due(self):
@@ -154,7 +137,7 @@ class Tree:
             self.asked.clear()
             self.asked_all = time.monotonic()
         for _ in range(20):
-            items = self.call(self.bus_name, "/org/a11y/atspi/cache", "org.a11y.atspi.Cache", "GetItems")[0]
+            items = self.bus.call(self.bus_name, "/org/a11y/atspi/cache", "org.a11y.atspi.Cache", "GetItems")
             self.nodes = [Node(self, item) for item in items]
             self.by_path = {node.path: node for node in self.nodes}
             if not self._ask_for_children(thorough):
@@ -187,7 +170,7 @@ class Tree:
             if counts in self.asked:
                 continue
             try:
-                children = node.call(ACCESSIBLE, "GetChildren")[0]
+                children = node.call(ACCESSIBLE, "GetChildren")
             except Gone:
                 continue
             new = any(path not in self.by_path for _, path in children)
