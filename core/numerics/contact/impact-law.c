@@ -186,16 +186,21 @@ static void take_part(Part *part, const TinkerImpact *impact, const int32_t *pai
     }
 }
 
-/* Lets its impulses act on all. */
-static void put_part(const Part *part, const TinkerImpact *impact, double *impulses, double *u)
+/* Lets its impulses act on all; answers whether that changes a velocity. */
+static gboolean put_part(const Part *part, const TinkerImpact *impact, double *impulses, double *u)
 {
     const gsize width = 2 * (gsize)impact->count;
+    gboolean changes = FALSE;
     for (int32_t i = 0; i < 2 * part->count; i++) {
         const gsize at = 2 * (gsize)part->member[i / 2] + i % 2;
         impulses[at] += part->impulses[i];
-        for (gsize row = 0; row < width; row++)
+        for (gsize row = 0; row < width; row++) {
+            const double before = u[row];
             u[row] += impact->delassus[row * width + at] * part->impulses[i];
+            changes |= u[row] != before;
+        }
     }
+    return changes;
 }
 
 static TinkerContactResult strike_part(const Part *part)
@@ -239,7 +244,7 @@ static TinkerContactResult strike_in_sequence(const TinkerImpact *impact, const 
         take_part(&part, impact, pair, next, u);
         const TinkerContactResult result = strike_part(&part);
         if (result != TINKER_CONTACT_SOLVED) return result;
-        put_part(&part, impact, impulses, u);
+        if (!put_part(&part, impact, impulses, u)) break; /* what approaches is rounding to the pair's own blow */
     }
     return bring_to_rest(impact, &part, impulses, u);
 }
