@@ -7,6 +7,7 @@
 /* An instruction on its way. Entries are those of the draft itself. */
 typedef struct {
     TinkerInstruction is;
+    int d;     /* what a step reads besides; -1: nothing */
     int kind;  /* of the step; NO_STEP: an argument, a number, or a part of another step */
     int uses;  /* by others and as the answer */
     int last;  /* the last one that uses it */
@@ -43,7 +44,7 @@ static void take(Assembly *to, const TinkerInstruction *code, int length)
         int place = 0;
         while (place < to->count && !is_same(&to->draft[place].is, &at))
             place++;
-        if (place == to->count) to->draft[to->count++] = (Draft){.is = at};
+        if (place == to->count) to->draft[to->count++] = (Draft){.is = at, .d = -1};
         moved[i] = place;
     }
     to->count = moved[length - 1] + 1; /* the last one is the answer, and asks for none behind it */
@@ -88,16 +89,46 @@ static void count_uses(Assembly *assembly)
     }
 }
 
-/* A product that only one other asks for. */
-static Draft *single_product(Assembly *assembly, int operand)
+static void count_arguments(Assembly *assembly)
 {
-    Draft *part = &assembly->draft[operand];
-    return part->kind == TINKER_STEP_MULTIPLY && part->uses == 1 ? part : NULL;
+    for (int i = 0; i < assembly->count; i++) {
+        const Draft *at = &assembly->draft[i];
+        if (at->uses > 0 && at->is.operation == TINKER_OP_TIME)
+            assembly->arguments = MAX(assembly->arguments, 1 + (int)at->is.number);
+    }
 }
 
+static void find_powers(Assembly *assembly)
+{
+    for (int i = 0; i < assembly->count; i++) {
+        Draft *at = &assembly->draft[i];
+        if (at->uses == 0 || at->kind != TINKER_STEP_MULTIPLY) continue;
+        Draft *first = &assembly->draft[at->is.a];
+        if (at->is.a == at->is.b) {
+            at->kind = TINKER_STEP_SQUARE;
+        } else if (first->kind == TINKER_STEP_SQUARE && first->uses == 1 && first->is.a == at->is.b) {
+            at->kind = TINKER_STEP_CUBE;
+            at->is.a = at->is.b;
+            first->kind = NO_STEP;
+            first->uses = 0;
+        } else {
+            continue;
+        }
+        at->is.b = -1;
+    }
+}
+
+/* What only one other asks for, and is of this kind; else NULL. */
+static Draft *single(Assembly *assembly, int operand, TinkerStepKind kind)
+{
+    Draft *part = &assembly->draft[operand];
+    return part->kind == (int)kind && part->uses == 1 ? part : NULL;
+}
+
+/* Two factors and what is added to their product. */
 static void join(Draft *whole, Draft *product, TinkerStepKind kind, int rest)
 {
-    whole->kind = kind;
+    whole->kind = (int)kind;
     whole->is.a = product->is.a;
     whole->is.b = product->is.b;
     whole->is.c = rest;
@@ -105,35 +136,70 @@ static void join(Draft *whole, Draft *product, TinkerStepKind kind, int rest)
     product->uses = 0;
 }
 
-/* Joins what has a step of its own. */
+static void exchange(int *a, int *b)
+{
+    const int kept = *a;
+    *a = *b;
+    *b = kept;
+}
+
+/* Takes a power that is the factor `of` of a step, or becomes it, into the step: its kind grows by the power less 1. */
+static void join_power(Assembly *assembly, Draft *whole, int *other, int *of)
+{
+    for (int turn = 0; turn < 2; turn++) {
+        for (TinkerStepKind kind = TINKER_STEP_SQUARE; kind <= TINKER_STEP_CUBE; kind++) {
+            Draft *power = single(assembly, *of, kind);
+            if (power == NULL) continue;
+            whole->kind += 1 + (int)(kind - TINKER_STEP_SQUARE);
+            *of = power->is.a;
+            power->kind = NO_STEP;
+            power->uses = 0;
+            return;
+        }
+        exchange(other, of);
+    }
+}
+
+/* a b + c, or a b + c d. */
+static void join_sum(Assembly *assembly, Draft *at)
+{
+    Draft *first = single(assembly, at->is.a, TINKER_STEP_MULTIPLY);
+    Draft *second = single(assembly, at->is.b, TINKER_STEP_MULTIPLY);
+    if (first == NULL && second == NULL) return;
+    if (first == NULL || second == NULL) {
+        join(at, first != NULL ? first : second, TINKER_STEP_TIMES_ADD, first != NULL ? at->is.b : at->is.a);
+        join_power(assembly, at, &at->is.a, &at->is.b);
+        return;
+    }
+    at->d = second->is.b;
+    const int third = second->is.a;
+    second->kind = NO_STEP;
+    second->uses = 0;
+    join(at, first, TINKER_STEP_PRODUCTS, third);
+    join_power(assembly, at, &at->is.c, &at->d);
+    if (at->kind != TINKER_STEP_PRODUCTS) return;
+    exchange(&at->is.a, &at->is.c);
+    exchange(&at->is.b, &at->d);
+    join_power(assembly, at, &at->is.c, &at->d);
+}
+
+static void join_difference(Assembly *assembly, Draft *at)
+{
+    Draft *first = single(assembly, at->is.a, TINKER_STEP_MULTIPLY);
+    Draft *second = single(assembly, at->is.b, TINKER_STEP_MULTIPLY);
+    if (second != NULL)
+        join(at, second, TINKER_STEP_LESS_TIMES, at->is.a);
+    else if (first != NULL)
+        join(at, first, TINKER_STEP_TIMES_LESS, at->is.b);
+}
+
 static void join_products(Assembly *assembly)
 {
     for (int i = 0; i < assembly->count; i++) {
         Draft *at = &assembly->draft[i];
-        if (at->uses == 0 || at->kind < TINKER_STEP_ADD || at->kind > TINKER_STEP_MULTIPLY) continue;
-        Draft *first = single_product(assembly, at->is.a), *second = single_product(assembly, at->is.b);
-        if (at->kind == TINKER_STEP_MULTIPLY) {
-            if (first == NULL || first->is.a != first->is.b || first->is.a != at->is.b) continue;
-            at->kind = TINKER_STEP_CUBE;
-            at->is.a = at->is.b;
-            at->is.b = -1;
-            first->kind = NO_STEP;
-            first->uses = 0;
-        } else if (second != NULL) {
-            join(at, second, at->kind == TINKER_STEP_ADD ? TINKER_STEP_TIMES_ADD : TINKER_STEP_LESS_TIMES, at->is.a);
-        } else if (first != NULL) {
-            join(at, first, at->kind == TINKER_STEP_ADD ? TINKER_STEP_TIMES_ADD : TINKER_STEP_TIMES_LESS, at->is.b);
-        }
-    }
-}
-
-static void find_squares(Assembly *assembly)
-{
-    for (int i = 0; i < assembly->count; i++) {
-        Draft *at = &assembly->draft[i];
-        if (at->kind != TINKER_STEP_MULTIPLY || at->is.a != at->is.b) continue;
-        at->kind = TINKER_STEP_SQUARE;
-        at->is.b = -1;
+        if (at->uses == 0) continue;
+        if (at->kind == TINKER_STEP_ADD) join_sum(assembly, at);
+        if (at->kind == TINKER_STEP_SUBTRACT) join_difference(assembly, at);
     }
 }
 
@@ -155,7 +221,7 @@ static void place_leaves(Assembly *assembly)
         if (at->is.operation == TINKER_OP_CONSTANT) at->entry = number_entry(assembly, at->is.number);
         if (at->is.operation == TINKER_OP_TIME) at->entry = (guint16)at->is.number;
         assembly->steps += at->kind != NO_STEP;
-        const int operands[] = {at->is.a, at->is.b, at->is.c};
+        const int operands[] = {at->is.a, at->is.b, at->is.c, at->d};
         for (gsize k = 0; k < G_N_ELEMENTS(operands); k++)
             if (operands[k] >= 0) assembly->draft[operands[k]].last = i;
     }
@@ -185,7 +251,8 @@ static TinkerLatest latest_of(const Draft *draft, int before)
     if (before < 0) return TINKER_LATEST_NONE;
     if (draft->is.a == before) return TINKER_LATEST_A;
     if (draft->is.b == before) return TINKER_LATEST_B;
-    return draft->is.c == before ? TINKER_LATEST_C : TINKER_LATEST_NONE;
+    if (draft->is.c == before) return TINKER_LATEST_C;
+    return draft->d == before ? TINKER_LATEST_D : TINKER_LATEST_NONE;
 }
 
 static void write_steps(Assembly *assembly, TinkerStep *steps)
@@ -204,23 +271,25 @@ static void write_steps(Assembly *assembly, TinkerStep *steps)
             .b = at->kind == TINKER_STEP_CELL ? number_entry(assembly, at->is.number)
                                               : entry_of(assembly, at->is.b, at->is.a),
             .c = entry_of(assembly, at->is.c, at->is.a),
+            .d = entry_of(assembly, at->d, at->is.a),
         };
         at->entry = to;
         before = i;
     }
 }
 
-TinkerCompiled *tinker_compiled_assemble(const TinkerInstruction *code, int length, int arguments)
+TinkerCompiled *tinker_compiled_assemble(const TinkerInstruction *code, int length)
 {
     g_autofree Draft *draft = g_new0(Draft, (gsize)length);
     g_autoptr(GArray) numbers = g_array_new(FALSE, FALSE, sizeof(double));
-    Assembly assembly = {.draft = draft, .arguments = arguments, .numbers = numbers};
+    Assembly assembly = {.draft = draft, .numbers = numbers};
     take(&assembly, code, length);
     for (int i = 0; i < assembly.count; i++)
         draft[i].kind = kind_of(draft[i].is.operation);
     count_uses(&assembly);
+    count_arguments(&assembly);
+    find_powers(&assembly);
     join_products(&assembly);
-    find_squares(&assembly);
     for (int i = 0; i < assembly.count; i++)
         if (draft[i].uses > 0 && draft[i].kind == TINKER_STEP_CELL) number_entry(&assembly, draft[i].is.number);
     place_leaves(&assembly);
@@ -228,13 +297,13 @@ TinkerCompiled *tinker_compiled_assemble(const TinkerInstruction *code, int leng
     const gsize aligned = (size + sizeof(double) - 1) / sizeof(double) * sizeof(double);
     TinkerCompiled *compiled = g_malloc0(aligned + MAX(numbers->len, TINKER_USUAL_NUMBERS) * sizeof(double));
     write_steps(&assembly, compiled->step);
-    if (arguments + (int)numbers->len + assembly.registers > TINKER_MOST_ENTRIES) {
+    if (assembly.arguments + (int)numbers->len + assembly.registers > TINKER_MOST_ENTRIES) {
         g_free(compiled);
         return NULL;
     }
     double *own = (double *)(void *)((char *)compiled + aligned);
     if (numbers->len > 0) memcpy(own, numbers->data, numbers->len * sizeof(double));
-    compiled->arguments = arguments;
+    compiled->arguments = assembly.arguments;
     compiled->numbers = (int)numbers->len;
     compiled->registers = assembly.registers;
     compiled->steps = assembly.steps;

@@ -5,7 +5,7 @@
 #include "units/compiled-private.h"
 
 #define LANES          64 /* of a block: all that is worked on stays in the first cache */
-#define PART           4  /* that a step works on side by side; the rest one by one */
+#define PART           4  /* that a step works on side by side */
 #define LEAST_PLACES   8
 #define MOST_REGISTERS 24 /* of blocks; programs that want more are worked out place by place */
 #define MOST_NUMBERS   64 /* that are the same for all places, likewise */
@@ -59,7 +59,7 @@ static double other(TinkerOperation operation, double a, double b, double c)
     }
 }
 
-/* The steps that are more than a call, once for one place and once for blocks: a, b and c are what a step reads. */
+/* The steps that are more than a call, once for one place and once for blocks: a to d are what a step reads. */
 #define ARITHMETIC_STEPS(EACH)                                                                                         \
     EACH(TINKER_STEP_ADD, a + b)                                                                                       \
     EACH(TINKER_STEP_SUBTRACT, a - b)                                                                                  \
@@ -68,25 +68,31 @@ static double other(TinkerOperation operation, double a, double b, double c)
     EACH(TINKER_STEP_SQUARE, a *a)                                                                                     \
     EACH(TINKER_STEP_CUBE, a *a *a)                                                                                    \
     EACH(TINKER_STEP_TIMES_ADD, a *b + c)                                                                              \
+    EACH(TINKER_STEP_TIMES_SQUARE_ADD, a *(b * b) + c)                                                                 \
+    EACH(TINKER_STEP_TIMES_CUBE_ADD, a *(b * b * b) + c)                                                               \
     EACH(TINKER_STEP_TIMES_LESS, a *b - c)                                                                             \
     EACH(TINKER_STEP_LESS_TIMES, c - a * b)                                                                            \
+    EACH(TINKER_STEP_PRODUCTS, a *b + c * d)                                                                           \
+    EACH(TINKER_STEP_PRODUCTS_SQUARE, a *b + c * (d * d))                                                              \
+    EACH(TINKER_STEP_PRODUCTS_CUBE, a *b + c * (d * d * d))                                                            \
     EACH(TINKER_STEP_NEGATE, -a)                                                                                       \
     EACH(TINKER_STEP_SQRT, sqrt(a))                                                                                    \
     EACH(TINKER_STEP_CHOOSE, c < 0 ? a : b)                                                                            \
     EACH(TINKER_STEP_CELL, cell_of(a, b))
 
-#define ONE_CASE(kind_, latest_, a_, b_, c_, value_)                                                                   \
+#define ONE_CASE(kind_, latest_, a_, b_, c_, d_, value_)                                                               \
     case TINKER_LATEST_COUNT *kind_ + latest_: {                                                                       \
-        const double a = a_, b = b_, c = c_;                                                                           \
-        (void)b, (void)c;                                                                                              \
+        const double a = a_, b = b_, c = c_, d = d_;                                                                   \
+        (void)b, (void)c, (void)d;                                                                                     \
         latest = (value_);                                                                                             \
         break;                                                                                                         \
     }
 #define AT_ONE_PLACE(kind_, value_)                                                                                    \
-    ONE_CASE(kind_, TINKER_LATEST_NONE, entry[at->a], entry[at->b], entry[at->c], value_)                              \
-    ONE_CASE(kind_, TINKER_LATEST_A, latest, entry[at->b], entry[at->c], value_)                                       \
-    ONE_CASE(kind_, TINKER_LATEST_B, entry[at->a], latest, entry[at->c], value_)                                       \
-    ONE_CASE(kind_, TINKER_LATEST_C, entry[at->a], entry[at->b], latest, value_)
+    ONE_CASE(kind_, TINKER_LATEST_NONE, entry[at->a], entry[at->b], entry[at->c], entry[at->d], value_)                \
+    ONE_CASE(kind_, TINKER_LATEST_A, latest, entry[at->b], entry[at->c], entry[at->d], value_)                         \
+    ONE_CASE(kind_, TINKER_LATEST_B, entry[at->a], latest, entry[at->c], entry[at->d], value_)                         \
+    ONE_CASE(kind_, TINKER_LATEST_C, entry[at->a], entry[at->b], latest, entry[at->d], value_)                         \
+    ONE_CASE(kind_, TINKER_LATEST_D, entry[at->a], entry[at->b], entry[at->c], latest, value_)
 
 /* Loops that are to stay as they are written. Clang knows no such thing of one function. */
 #ifdef __clang__
@@ -118,19 +124,18 @@ KEEP_LOOPS double tinker_compiled_value(const TinkerCompiled *compiled, const do
     return latest;
 }
 
-#define IN_LANE(i_, value_)                                                                                            \
-    {                                                                                                                  \
-        const double a = first[i_], b = second[i_], c = third[i_];                                                     \
-        (void)b, (void)c;                                                                                              \
-        to[i_] = (value_);                                                                                             \
+/* Parts of one size: where lanes are left the last part begins so early that it ends with them. */
+#define IN_PART(from_, value_)                                                                                         \
+    for (int i = (from_); i < (from_) + PART; i++) {                                                                   \
+        const double a = first[i], b = second[i], c = third[i], d = fourth[i];                                         \
+        (void)b, (void)c, (void)d;                                                                                     \
+        to[i] = (value_);                                                                                              \
     }
 #define IN_BLOCK(kind_, value_)                                                                                        \
     case kind_:                                                                                                        \
         for (int part = 0; part < parts; part += PART)                                                                 \
-            for (int i = part; i < part + PART; i++)                                                                   \
-                IN_LANE(i, value_)                                                                                     \
-        for (int i = parts; i < lanes; i++)                                                                            \
-            IN_LANE(i, value_)                                                                                         \
+            IN_PART(part, value_)                                                                                      \
+        if (parts < lanes) IN_PART(lanes - PART, value_)                                                               \
         break;
 
 /* No step writes what it reads. */
@@ -141,7 +146,8 @@ __attribute__((always_inline)) static inline void run_block(const TinkerCompiled
     const TinkerStep *end = compiled->step + compiled->steps;
     for (const TinkerStep *at = compiled->step; at < end; at++) {
         const int kind = at->code / TINKER_LATEST_COUNT;
-        const double *restrict first = entry[at->a], *restrict second = entry[at->b], *restrict third = entry[at->c];
+        const double *restrict first = entry[at->a], *restrict second = entry[at->b];
+        const double *restrict third = entry[at->c], *restrict fourth = entry[at->d];
         double *restrict to = entry[at->to];
         switch (kind) {
             ARITHMETIC_STEPS(IN_BLOCK)
@@ -186,19 +192,34 @@ static double *all_alike(Block *block, double value, int count)
     return column;
 }
 
+/* Blocks of LANES, the last one of what is left, but for a few that are worked out again rather than alone. */
 static void run_blocks(const TinkerCompiled *compiled, Block *block, const TinkerColumns *columns, double *results)
 {
     double **entry = block->entry, **number = entry + compiled->arguments;
-    for (int first = 0, lanes; first < columns->count; first += lanes) {
-        lanes = MIN(LANES, columns->count - first);
+    for (int next = 0; next < columns->count; next += LANES) {
+        const int first = MIN(next, columns->count - LEAST_PLACES), lanes = MIN(LANES, columns->count - first);
         for (int i = 0; i < compiled->arguments; i++)
-            if (columns->arguments[i] != NULL) entry[i] = (double *)columns->arguments[i] + first;
+            if (columns->arguments[i] != NULL) entry[i] = (double *)columns->arguments[i] + columns->first + first;
         for (int i = 0; columns->numbers != NULL && i < compiled->numbers; i++)
             number[i] = (double *)columns->numbers + (gsize)i * (gsize)columns->stride + first;
-        if (compiled->steps > 0) entry[compiled->answer] = results + first;
+        entry[compiled->answer] = results + first;
         run_block_anywhere(compiled, entry, lanes);
-        if (compiled->steps == 0) memcpy(results + first, entry[compiled->answer], (gsize)lanes * sizeof(double));
     }
+}
+
+/* What needs no step: an argument or a number. */
+static void copy_answer(const TinkerCompiled *compiled, const TinkerColumns *columns, double *results)
+{
+    const int number = compiled->answer - compiled->arguments; /* negative: an argument */
+    const double *column = number < 0 ? columns->arguments[compiled->answer] : columns->numbers;
+    const gssize from = number < 0 ? (gssize)columns->first : (gssize)number * columns->stride;
+    if (column != NULL) {
+        memcpy(results, column + from, (gsize)columns->count * sizeof(double));
+        return;
+    }
+    const double value = number < 0 ? columns->uniform[compiled->answer] : compiled->number[number];
+    for (int i = 0; i < columns->count; i++)
+        results[i] = value;
 }
 
 gboolean tinker_compiled_values(const TinkerCompiled *compiled, const TinkerColumns *columns, double *results)
@@ -206,6 +227,10 @@ gboolean tinker_compiled_values(const TinkerCompiled *compiled, const TinkerColu
     if (columns->count < LEAST_PLACES || compiled->registers > MOST_REGISTERS || compiled->numbers > MOST_NUMBERS ||
         compiled->arguments > TINKER_TYPED_MOST_ARGUMENTS)
         return FALSE;
+    if (compiled->steps == 0) {
+        copy_answer(compiled, columns, results);
+        return TRUE;
+    }
     Block block;
     const int lanes = MIN(columns->count, LANES);
     block.filled = 0;

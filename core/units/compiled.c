@@ -141,7 +141,7 @@ TinkerCompiled *tinker_compiled_new(const TinkerExpression *expression, const ch
     tinker_program_finish(program, value);
     int length;
     const TinkerInstruction *code = tinker_program_code(program, &length);
-    return tinker_compiled_assemble(code, length, count);
+    return tinker_compiled_assemble(code, length);
 }
 
 void tinker_compiled_free(TinkerCompiled *compiled)

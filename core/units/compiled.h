@@ -18,17 +18,15 @@ double tinker_compiled_value(const TinkerCompiled *compiled, const double *argum
 
 /* Many places at once. */
 typedef struct {
-    int count;
-    const double *const *arguments; /* by argument, then by place; NULL: ... */
+    int count, first;
+    const double *const *arguments; /* by argument, then by place, from the place `first` on; NULL: ... */
     const double *uniform;          /* ... it is this for all */
-    const double
-        *numbers; /* in the place of the program's own: by number (tinker_compiled_numbers), then by place; ... */
-    int stride;   /* ... from number to number. NULL: its own */
+    const double *numbers; /* instead of the program's own: by number (tinker_compiled_numbers), then by place; ... */
+    int stride;            /* ... from number to number. NULL: its own */
 } TinkerColumns;
 
 /* The values at many places, which do not overlap what they are made of; bit for bit those of tinker_compiled_value.
- * FALSE: the program is too large
- * for that, or there are fewer than eight places. */
+ * FALSE: the program is too large for that, or there are fewer than eight places. */
 gboolean tinker_compiled_values(const TinkerCompiled *compiled, const TinkerColumns *columns, double *results);
 
 /* The numbers that a program names, and whether two differ in them alone. */

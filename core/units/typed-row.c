@@ -125,11 +125,9 @@ static gboolean ask_together(const TinkerTypedQuestion *question, int first, int
                              double *results)
 {
     const TinkerTypedLaw *law = question->laws[(gsize)first * (gsize)question->stride];
-    const double *arguments[TINKER_TYPED_MOST_ARGUMENTS];
-    if (count < LEAST_TOGETHER || law->count > TINKER_TYPED_MOST_ARGUMENTS) return FALSE;
-    for (int i = 0; i < law->count; i++)
-        arguments[i] = question->arguments[i] != NULL ? question->arguments[i] + first : NULL;
-    TinkerColumns columns = {.count = count, .arguments = arguments, .uniform = question->uniform};
+    if (count < LEAST_TOGETHER) return FALSE;
+    TinkerColumns columns = {
+        .count = count, .first = first, .arguments = question->arguments, .uniform = question->uniform};
     if (!one) {
         columns.numbers = law->row->numbers[which] + (law - law->row->member);
         columns.stride = law->row->count;

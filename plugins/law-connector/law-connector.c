@@ -86,13 +86,13 @@ static void derivatives_of(const TinkerBatch *batch, double length, double rate,
 /* Each connector has one of both laws, and the service passes those over that have not the one that is asked for. */
 static TinkerStatus tension(TinkerBatch *batch, const double *length, const double *rate, double *result)
 {
-    const double *const arguments[] = {length, rate, NULL}, uniform[] = {0.0, 0.0, batch->time};
-    const TinkerTypedQuestion given = tinker_typed_question(batch, FORMULA_TENSION, arguments, uniform),
-                              potential = tinker_typed_question(batch, FORMULA_POTENTIAL, arguments, NULL);
     if (batch->count == 1) {
         result[0] = tension_of(batch, 0, length[0], rate[0]);
         return TINKER_OK;
     }
+    const double *const arguments[] = {length, rate, NULL}, uniform[] = {0.0, 0.0, batch->time};
+    const TinkerTypedQuestion given = tinker_typed_question(batch, FORMULA_TENSION, arguments, uniform),
+                              potential = tinker_typed_question(batch, FORMULA_POTENTIAL, arguments, NULL);
     tinker_typed_laws->values(&given, result);
     tinker_typed_laws->slopes(&potential, BY_LENGTH, result);
     return TINKER_OK;
@@ -101,13 +101,13 @@ static TinkerStatus tension(TinkerBatch *batch, const double *length, const doub
 static TinkerStatus derivatives(TinkerBatch *batch, const double *length, const double *rate, double *by_length,
                                 double *by_rate)
 {
-    const double *const arguments[] = {length, rate, NULL}, uniform[] = {0.0, 0.0, batch->time};
-    const TinkerTypedQuestion given = tinker_typed_question(batch, FORMULA_TENSION, arguments, uniform),
-                              potential = tinker_typed_question(batch, FORMULA_POTENTIAL, arguments, NULL);
     if (batch->count == 1) {
         derivatives_of(batch, length[0], rate[0], by_length, by_rate);
         return TINKER_OK;
     }
+    const double *const arguments[] = {length, rate, NULL}, uniform[] = {0.0, 0.0, batch->time};
+    const TinkerTypedQuestion given = tinker_typed_question(batch, FORMULA_TENSION, arguments, uniform),
+                              potential = tinker_typed_question(batch, FORMULA_POTENTIAL, arguments, NULL);
     for (int32_t i = 0; i < batch->count; i++)
         by_rate[i] = 0.0;
     tinker_typed_laws->slopes(&given, BY_LENGTH, by_length);
@@ -118,8 +118,8 @@ static TinkerStatus derivatives(TinkerBatch *batch, const double *length, const 
 
 static TinkerStatus energy(TinkerBatch *batch, const double *length, double *stored)
 {
-    const TinkerTypedLaw *first = tinker_typed(batch, 0, FORMULA_POTENTIAL);
     if (batch->count == 1) {
+        const TinkerTypedLaw *first = tinker_typed(batch, 0, FORMULA_POTENTIAL);
         stored[0] = first != NULL ? tinker_typed_laws->value(first, length) : NAN;
         return TINKER_OK;
     }

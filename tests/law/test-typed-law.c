@@ -99,13 +99,42 @@ static void test_powers(void)
     }
 }
 
-#define MANY 203
-
 static void assert_same_bits(double value, double expected)
 {
     if (memcmp(&value, &expected, sizeof value) != 0 && !(isnan(value) && isnan(expected)))
         g_error("%.17g, not %.17g to the last bit", value, expected);
 }
+
+/* Sums of products are one step, and are rounded after each operation all the same. */
+static void test_sums(void)
+{
+    const double L = 0.6, rate = -2.5, t = 7.3, a = 1.7, b = 0.3, at[] = {L, rate, t};
+    const struct {
+        const char *text;
+        double value;
+    } cases[] = {
+        {"a*L + b*rate", a * L + b * rate},
+        {"a*L + b*rate^2", a * L + b * (rate * rate)},
+        {"a*rate^3 + b*L", a * (rate * rate * rate) + b * L},
+        {"rate^3*a + b*L^2", rate * rate * rate * a + b * (L * L)},
+        {"a*(L - t)^2 + b*(L - t)^4", a * ((L - t) * (L - t)) + b * (((L - t) * (L - t)) * ((L - t) * (L - t)))},
+        {"a*rate^2 + t", a * (rate * rate) + t},
+        {"t + rate^3*b", t + rate * rate * rate * b},
+        {"a*L - b*rate^2", a * L - b * (rate * rate)},
+        {"a*L + a*L", a * L + a * L},
+        {"a*L^2 + b*L^2", a * (L * L) + b * (L * L)},
+        {"L*rate + rate*t", L * rate + rate * t},
+    };
+    for (gsize i = 0; i < G_N_ELEMENTS(cases); i++) {
+        g_autoptr(GError) error = NULL;
+        TinkerTypedLaw *law = typed(cases[i].text, "1.7", "0.3", &error);
+        g_assert_no_error(error);
+        assert_same_bits(tinker_compiled_value(law->value, at), cases[i].value);
+        tinker_typed_free(law);
+    }
+}
+
+#define MANY 203
 
 /* Asked together and one by one: the same bits, with laws that are alike, that differ in a number, that differ, and
  * that are not there, in any order and number. */
@@ -114,6 +143,7 @@ static void test_many(void)
     static const char *const texts[] = {
         "a*(L - 1)^3 + b*L",
         "a*(L - 1)^3 + b*L",
+        "a*L^2 + b*rate*t + a",
         "a*L^2.5 - exp(-b*rate)/t",
         "if(L < 1, a, b)*sqrt(L) + floor(3*L)",
         "a - b*L",
@@ -239,6 +269,7 @@ int main(int argc, char **argv)
     g_test_add_func("/law/typed/values", test_values);
     g_test_add_func("/law/typed/functions", test_functions);
     g_test_add_func("/law/typed/powers", test_powers);
+    g_test_add_func("/law/typed/sums", test_sums);
     g_test_add_func("/law/typed/many", test_many);
     g_test_add_func("/law/typed/many-places", test_many_places);
     g_test_add_func("/law/typed/refused", test_refused);
