@@ -5,7 +5,9 @@
 
 #include "edit/edit-private.h"
 
-#define MOST_PLACES 3 /* of a body that ends are drawn to */
+#define MOST_PLACES 3    /* of a body that ends are drawn to */
+#define LONG        3    /* times as long as high: what is joined at its ends */
+#define SAME_PLACE  1e-9 /* m: of two places that are one */
 
 static const TinkerBody *body_of(TinkerScene *scene, TinkerBlockId block)
 {
@@ -120,6 +122,58 @@ void tinker_joint_put_between(TinkerHistory *history, TinkerScene *scene, Tinker
     if (frame == NULL || !isfinite(nearest_places(frame, blocks, own))) return;
     for (int32_t end = 0; end < 2; end++)
         tinker_history_set_end(history, joint, end, (TinkerSceneEnd){blocks[end], own[end][0], own[end][1]}, NULL);
+}
+
+/* Whether another joint has an end on the block at this place of its own. */
+static gboolean is_jointed_at(TinkerScene *scene, TinkerBlockId joint, TinkerBlockId block, const double own[2])
+{
+    for (int32_t i = 0; i < tinker_scene_block_count(scene); i++) {
+        const TinkerBlockId other = tinker_scene_block_at(scene, i);
+        if (other == joint || !tinker_is_joint(scene, other)) continue;
+        for (int32_t e = 0; e < 2; e++) {
+            const TinkerSceneEnd end = tinker_scene_end(scene, other, e);
+            if (end.block == block && hypot(end.x - own[0], end.y - own[1]) < SAME_PLACE) return TRUE;
+        }
+    }
+    return FALSE;
+}
+
+/* The topmost block at a place, but for this one, that an end of the joint can be on. */
+static TinkerBlockId other_at(TinkerFrame *frame, TinkerBlockId joint, TinkerBlockId block, const double place[2])
+{
+    TinkerBlockId there[2];
+    const int32_t count = edit_hit_connectables(frame, joint, place[0], place[1], 0, there, 2);
+    for (int32_t i = 0; i < count; i++)
+        if (there[i] != block) return there[i];
+    return TINKER_NO_BLOCK;
+}
+
+void tinker_joint_put_on(TinkerHistory *history, TinkerScene *scene, TinkerBlockId joint, TinkerBlockId block)
+{
+    g_autoptr(TinkerFrame) frame = tinker_frame_new(scene, NULL);
+    if (frame == NULL) return;
+    double marked[MOST_PLACES][2], place[2], best[2] = {NAN, NAN}, there[2] = {0, 0};
+    const int32_t count = marked_places(frame, block, marked);
+    const double height = tinker_frame_meaning(frame, block, TINKER_MEANING_HEIGHT, 0, 0);
+    const gboolean is_long = count == MOST_PLACES && 2 * marked[1][0] > LONG * height;
+    TinkerBlockId met = TINKER_NO_BLOCK;
+    for (int32_t i = is_long ? 1 : 0; i < (is_long ? count : 1); i++) {
+        if (is_long && is_jointed_at(scene, joint, block, marked[i])) continue;
+        tinker_frame_to_world(frame, block, marked[i], place);
+        const TinkerBlockId other = other_at(frame, joint, block, place);
+        const double above = place[1] - best[1];
+        const gboolean higher = fabs(above) > SAME_PLACE ? above > 0 : place[0] < best[0];
+        const gboolean better =
+            (other != TINKER_NO_BLOCK) == (met != TINKER_NO_BLOCK) ? higher : met == TINKER_NO_BLOCK;
+        if (!isnan(best[0]) && !better) continue;
+        met = other;
+        memcpy(best, place, sizeof best);
+        memcpy(there, marked[i], sizeof there);
+    }
+    double own[2] = {best[0], best[1]}; /* in the world where there is nothing to join it to */
+    if (met != TINKER_NO_BLOCK) tinker_frame_to_own(frame, met, best, own);
+    tinker_history_set_end(history, joint, 0, (TinkerSceneEnd){block, there[0], there[1]}, NULL);
+    if (!isnan(best[0])) tinker_history_set_end(history, joint, 1, (TinkerSceneEnd){met, own[0], own[1]}, NULL);
 }
 
 static gboolean are_joined(TinkerScene *scene, TinkerBlockId a, TinkerBlockId b)

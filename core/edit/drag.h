@@ -32,6 +32,10 @@ int32_t tinker_joint_drop(TinkerHistory *history, TinkerScene *scene, TinkerBloc
 void tinker_joint_put_between(TinkerHistory *history, TinkerScene *scene, TinkerBlockId joint,
                               const TinkerBlockId blocks[2]);
 
+/* Puts a joint onto one block: at an end of a long body that no joint is at yet, best where another block lies, which
+ * it then joins it to, else at the upper or the left one; at the centre of any other. Inside a step. */
+void tinker_joint_put_on(TinkerHistory *history, TinkerScene *scene, TinkerBlockId joint, TinkerBlockId block);
+
 /* The topmost body whose centre or an end of it lies within `reach` (m) of one of this body's, both of which turn and
  * have no joint yet; TINKER_NO_BLOCK where there is none. */
 TinkerBlockId tinker_body_met(TinkerScene *scene, TinkerBlockId body, double reach);

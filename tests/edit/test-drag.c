@@ -222,6 +222,31 @@ static void test_joint_drop(Stage *stage, gconstpointer data)
     tinker_history_free(history);
 }
 
+/* A pin for one bar goes to an end of it: the free one, joined to what lies there. */
+static void test_joint_on_one(Stage *stage, gconstpointer data)
+{
+    g_autoptr(TinkerScene) scene = bars();
+    TinkerHistory *history = tinker_history_new(scene);
+    const TinkerBlockId pin = tinker_scene_find_block(scene, "Pin"), lower = tinker_scene_find_block(scene, "Lower"),
+                        upper = tinker_scene_find_block(scene, "Upper");
+    tinker_history_begin(history, "Add", NULL);
+    tinker_joint_put_on(history, scene, pin, lower); /* where the other bar is, though both ends are at one height */
+    expect_end(scene, "Pin", 0, "Lower", 0.5, 0);
+    expect_end(scene, "Pin", 1, "Upper", -0.5, 0);
+    tinker_history_end(history);
+    tinker_history_begin(history, "Away", NULL);
+    const double away[2] = {20, 5};
+    tinker_history_set(history, upper, tinker_scene_block_class(scene, upper)->meanings[TINKER_MEANING_POSITION], away,
+                       NULL);
+    tinker_joint_put_on(history, scene, pin, upper); /* upright: the upper end */
+    expect_end(scene, "Pin", 0, "Upper", 0.5, 0);
+    g_assert_cmpint(tinker_scene_end(scene, pin, 1).block, ==, TINKER_NO_BLOCK);
+    g_assert_cmpfloat_with_epsilon(tinker_scene_end(scene, pin, 1).x, 20, 1e-12);
+    g_assert_cmpfloat_with_epsilon(tinker_scene_end(scene, pin, 1).y, 5.5, 1e-12);
+    tinker_history_end(history);
+    tinker_history_free(history);
+}
+
 /* Ends that meet are found, until they are joined; what does not turn has none. */
 static void test_bodies_meet(Stage *stage, gconstpointer data)
 {
@@ -403,6 +428,7 @@ static void add_tests(void)
     add("/edit/drag/connect-along-top", test_connect_along_top);
     add("/edit/drag/connect-to-what-turns", test_connect_to_what_turns);
     add("/edit/drag/joint-drop", test_joint_drop);
+    add("/edit/drag/joint-on-one", test_joint_on_one);
     add("/edit/drag/bodies-meet", test_bodies_meet);
     add("/edit/drag/detach", test_detach);
     add("/edit/drag/handles", test_handles);

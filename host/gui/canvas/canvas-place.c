@@ -136,18 +136,26 @@ static int connect_to(TinkerCanvas *canvas, TinkerBlockId block, const TinkerBlo
         tinker_joined_bring(history, scene, targets[0]);
         return count;
     }
+    if (count == 1 && tinker_is_joint(scene, block)) {
+        tinker_joint_put_on(history, scene, block, targets[0]);
+        return count;
+    }
     for (int i = 0; i < count && end < ends; i++)
         if (tinker_history_set_end(history, block, end, (TinkerSceneEnd){targets[i], 0, 0}, NULL)) end++;
     return end;
 }
 
-/* The ends that stay free hang beside the block that the others are on. */
+/* The ends that stay free hang beside the block that the others are on; those of a joint lie where the other is. */
 static void free_end_beside(TinkerCanvas *canvas, TinkerBlockId block, double place[2])
 {
     TinkerScene *scene = tinker_document_scene(canvas->document);
     g_autoptr(TinkerFrame) frame = tinker_frame_new(scene, NULL);
     TinkerSceneEnd first = tinker_scene_end(scene, block, 0);
     if (frame == NULL || first.block == TINKER_NO_BLOCK) return;
+    if (tinker_is_joint(scene, block)) {
+        tinker_frame_end(frame, first, place);
+        return;
+    }
     double orientation;
     tinker_frame_centre(frame, first.block, &place[0], &place[1], &orientation);
     place[1] += 2 * half_connector(canvas);
