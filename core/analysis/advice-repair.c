@@ -31,6 +31,21 @@ static gboolean connect_end(TinkerHistory *history, TinkerScene *scene, const Ti
     return tinker_history_set_end(history, connector, advice->end, to, error);
 }
 
+/* To a support of its own, which nothing lands on. */
+static gboolean add_support(TinkerHistory *history, TinkerScene *scene, const TinkerAdvice *advice, GError **error)
+{
+    const TinkerBlockId connector = g_array_index(advice->blocks, TinkerBlockId, 0);
+    const TinkerSceneEnd loose = tinker_scene_end(scene, connector, advice->end);
+    const TinkerBlockId support = tinker_history_add_block(history, advice->support, NULL, error);
+    const int32_t solid = advice->support->meanings[TINKER_MEANING_SOLID];
+    return support != TINKER_NO_BLOCK &&
+           start_set_meaning(history, scene, support, TINKER_MEANING_POSITION, (const double[]){loose.x, loose.y},
+                             error) &&
+           (solid < 0 ||
+            start_set_meaning(history, scene, support, TINKER_MEANING_SOLID, (const double[]){0}, error)) &&
+           tinker_history_set_end(history, connector, advice->end, (TinkerSceneEnd){support, 0, 0}, error);
+}
+
 static gboolean set_vectors(TinkerHistory *history, TinkerScene *scene, const TinkerAdvice *advice, int32_t meaning,
                             gboolean add, GError **error)
 {
@@ -53,7 +68,8 @@ static gboolean do_repair(TinkerHistory *history, TinkerScene *scene, const Tink
 {
     switch (advice->kind) {
     case TINKER_ADVICE_DETACHED_END:
-        return connect_end(history, scene, advice, error);
+        return advice->support != NULL ? add_support(history, scene, advice, error)
+                                       : connect_end(history, scene, advice, error);
     case TINKER_ADVICE_LENGTH:
         return start_set_meaning(history, scene, g_array_index(advice->blocks, TinkerBlockId, 0), TINKER_MEANING_LENGTH,
                                  &advice->length, error);
@@ -78,8 +94,9 @@ static gboolean still_stands(TinkerScene *scene, const TinkerAdvice *advice)
     }
     if (advice->kind == TINKER_ADVICE_JOINT) return tinker_scene_has_block(scene, advice->target);
     if (advice->kind != TINKER_ADVICE_DETACHED_END) return TRUE;
-    return tinker_scene_has_block(scene, advice->target) && tinker_scene_block_class(scene, advice->target) != NULL &&
-           advice->end < tinker_scene_end_count(scene, g_array_index(advice->blocks, TinkerBlockId, 0));
+    return advice->end < tinker_scene_end_count(scene, g_array_index(advice->blocks, TinkerBlockId, 0)) &&
+           (advice->support != NULL ||
+            (tinker_scene_has_block(scene, advice->target) && tinker_scene_block_class(scene, advice->target) != NULL));
 }
 
 gboolean tinker_advice_repair(TinkerHistory *history, TinkerScene *scene, const TinkerAdvice *advice, GError **error)

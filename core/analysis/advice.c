@@ -69,6 +69,33 @@ static TinkerBlockId nearest_target(const TinkerFrame *frame, TinkerBlockId conn
     return nearest;
 }
 
+/* A type of supports that the connector's ends accept; NULL: there is none. */
+static const TinkerBlockClass *support_for(TinkerScene *scene, const TinkerBlockClass *connector)
+{
+    if ((connector->type->end_accepts & TINKER_ACCEPTS_SUPPORT) == 0) return NULL;
+    TinkerCatalogue *catalogue = tinker_scene_catalogue(scene);
+    g_autoptr(GPtrArray) libraries = tinker_catalogue_libraries(catalogue), types = tinker_libraries_types(libraries);
+    for (guint i = 0; i < types->len; i++) {
+        const TinkerTypeEntry *entry = g_ptr_array_index(types, i);
+        if (g_strcmp0(entry->category, TINKER_CONNECTABLE) != 0) continue;
+        const TinkerBlockClass *block_class = tinker_catalogue_type(catalogue, entry->id, NULL);
+        if (block_class != NULL && block_class->physics != NULL && block_class->physics->body != NULL &&
+            block_class->physics->body->degrees_of_freedom == 0)
+            return block_class;
+    }
+    return NULL;
+}
+
+/* Whether another end of the connector is on what moves: what holds nothing needs no support. */
+static gboolean holds_something(TinkerScene *scene, TinkerBlockId connector)
+{
+    for (int32_t e = 0; e < tinker_scene_end_count(scene, connector); e++) {
+        const TinkerBlockId block = tinker_scene_end(scene, connector, e).block;
+        if (block != TINKER_NO_BLOCK && start_can_move(scene, block)) return TRUE;
+    }
+    return FALSE;
+}
+
 static void on_loose_ends(GPtrArray *all, const TinkerFrame *frame, TinkerBlockId block)
 {
     TinkerScene *scene = tinker_frame_scene(frame);
@@ -85,6 +112,9 @@ static void on_loose_ends(GPtrArray *all, const TinkerFrame *frame, TinkerBlockI
             nearest_target(frame, block, (double[]){end.x, end.y}, NEAR_BY * tinker_scene_head(scene)->canvas_width);
         if (advice->target != TINKER_NO_BLOCK)
             advice->repair = g_strdup_printf(_("Connect it to %s"), tinker_scene_block_name(scene, advice->target));
+        else if (holds_something(scene, block))
+            advice->support = support_for(scene, tinker_scene_block_class(scene, block));
+        if (advice->support != NULL) advice->repair = g_strdup(_("Add a support there"));
     }
 }
 

@@ -5,7 +5,7 @@
 #include "scene/history/history.h"
 
 typedef enum {
-    TINKER_ADVICE_DETACHED_END, /* repair: connects it to the nearest block that it accepts */
+    TINKER_ADVICE_DETACHED_END, /* repair: connects it to the nearest block that it accepts, or else to a new support */
     TINKER_ADVICE_MISSING_TYPE, /* no repair */
     TINKER_ADVICE_LENGTH,       /* a given length that is not as drawn; repair: as drawn */
     TINKER_ADVICE_JOINT,        /* a joint whose ends do not fit together; repair: its bodies are moved */
@@ -29,10 +29,11 @@ typedef struct {
     GArray *blocks;      /* of TinkerBlockId: to select and to mark; the first is the one that it is about */
     char *repair;        /* label of the button; NULL: nothing that the program could do by itself */
     /* what the repair needs */
-    int32_t end;          /* of the first block */
-    TinkerBlockId target; /* to connect it to */
-    double length;        /* m */
-    GArray *vectors;      /* of TinkerAdviceVector; NULL: none */
+    int32_t end;                     /* of the first block */
+    TinkerBlockId target;            /* to connect it to */
+    const TinkerBlockClass *support; /* of which one is added where the end is; NULL: there is a target */
+    double length;                   /* m */
+    GArray *vectors;                 /* of TinkerAdviceVector; NULL: none */
 } TinkerAdvice;
 
 /* All that can be told without planning a run, worst first, at the price of compiling the scene once; of TinkerAdvice

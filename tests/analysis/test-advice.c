@@ -320,8 +320,26 @@ static void test_loose_pin(void)
     g_assert_cmpfloat(end.x, ==, -0.5);
 }
 
+/* A pendulum's pin without anything to hold on to gets a pivot where it is; a spring that hangs from nothing, too. */
+static void test_support_is_added(void)
+{
+    g_autoptr(StartFixture) f =
+        start_fixture_new("{'type': 'bar', 'position': [0.5, 2]},"
+                          "{'type': 'pin', 'ends': [{'block': 'Bar 0', 'at': [-0.5, 0]}, [0, 2]]}");
+    assert_only(f, TINKER_ADVICE_DETACHED_END, TRUE, "Pin 0", "is not connected", "Add a support there");
+    repair(f);
+    const TinkerSceneEnd end = tinker_scene_end(f->scene, start_fixture_block(f, "Pin 0"), 1);
+    g_assert_cmpint(end.block, ==, start_fixture_block(f, "Support 0"));
+    physics_assert_near("x", start_fixture_get(f, "Support 0", TINKER_MEANING_POSITION, 0), 0, 0);
+    physics_assert_near("y", start_fixture_get(f, "Support 0", TINKER_MEANING_POSITION, 1), 2, 0);
+    physics_assert_near("solid", start_fixture_get(f, "Support 0", TINKER_MEANING_SOLID, 0), 0, 0);
+    g_autoptr(GPtrArray) rest = tinker_advice_new(f->scene);
+    g_assert_cmpuint(rest->len, ==, 0);
+}
+
 static void add_tests(void)
 {
+    g_test_add_func("/advice/support-is-added", test_support_is_added);
     g_test_add_func("/advice/rate", test_rate);
     g_test_add_func("/advice/joint", test_joint);
     g_test_add_func("/advice/loose-pin", test_loose_pin);

@@ -102,5 +102,19 @@ def test_pin_is_offered_where_ends_meet(display):
         check_equal(app.blocks()["Pin 0"]["ends"], [at("Base", 0.5), at("Arm", -0.5)], "what it joins")
 
 
+def test_pin_for_one_bar_and_a_support_for_it(display):
+    """A pendulum in three clicks: the pin goes to an end of the bar, and the notice adds what it hangs on."""
+    with App(display, scene(bar("Arm", 1, 1), {"type": "gravity", "name": "Gravity"}, duration=1)) as app:
+        app.click_world(1.2, 1)
+        app.place("Pin")
+        app.click("Add a support there")
+        app.find_starting("list item", "Support 0")
+        blocks = app.blocks()
+        check_equal(blocks["Pin 0"]["ends"], [at("Arm", -0.5), "Support 0"], "what the pin joins")
+        check_equal(blocks["Support 0"]["position"], [0.5, 1], "where it hangs")
+        app.click("Play")
+        wait(lambda: app.time() == 1, "the run")
+
+
 if __name__ == "__main__":
     main()
