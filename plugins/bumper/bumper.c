@@ -152,7 +152,8 @@ static const TinkerInterface interfaces[] = {
 
 static const TinkerBlockType blocks[] = {
     {TINKER_BLOCK("bumper", "Bumper", TINKER_CONNECTOR),
-     .summary = "Pushes its ends apart while they are nearer than its length, and never pulls",
+     .summary = "A spring that bodies run into, a buffer: pushes its ends apart while they are nearer than its length, "
+                "and never pulls",
      .formula = "F = k (L0 - L) - c dL/dt", .least_ends = 2, .most_ends = 2,
      .end_accepts = TINKER_ACCEPTS_BODY | TINKER_ACCEPTS_SUPPORT, .properties = TINKER_SPAN(properties),
      .quantities = TINKER_SPAN(quantities), .interfaces = TINKER_SPAN(interfaces), .law = TINKER_SPAN(law)},

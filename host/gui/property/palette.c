@@ -1,6 +1,6 @@
-/* A list of buttons under headings. Which categories there are, and what is in them, the manifests tell; a block's
- * library is opened for its icon. A drag is followed by a gesture of our own, so that the block itself can be seen on
- * its way. */
+/* A list of buttons under headings, of which words that are typed leave those that they are found in. Which categories
+ * there are, and what is in them, the manifests tell; a block's library is opened for its icon. A drag is followed by a
+ * gesture of our own, so that the block itself can be seen on its way. */
 #include "gui/property/palette.h"
 
 #include <glib/gi18n.h>
@@ -8,16 +8,18 @@
 
 #include "gui/document/icon-guard.h"
 #include "gui/text/translate.h"
+#include "gui/text/word-search.h"
 #include "gui/widget/desktop-theme.h"
 #include "gui/widget/unparent.h"
 
 #define ICON_WIDTH     48
 #define ICON_HEIGHT    32
 #define DRAG_THRESHOLD 6.0
+#define SEARCH_WIDTH   6 /* characters, at least */
 
 struct _TinkerPalette {
     GtkWidget parent_instance;
-    GtkWidget *list;
+    GtkWidget *search, *none, *list;
     TinkerCatalogue *catalogue;
     TinkerCanvas *canvas;
 };
@@ -29,8 +31,21 @@ typedef struct {
     TinkerPalette *palette;
     const TinkerBlockClass *block_class;
     GtkWidget *button;
+    GStrv words; /* that it is found by */
     gboolean dragged;
 } Item;
+
+static void item_free(gpointer data)
+{
+    g_strfreev(((Item *)data)->words);
+    g_free(data);
+}
+
+/* Of a widget in the list; NULL of a heading. */
+static Item *item_of(GtkWidget *widget)
+{
+    return g_object_get_data(G_OBJECT(widget), "item");
+}
 
 /* What stands over the blocks of a category, and in which order; categories of others come behind, by their own name.
  */
@@ -115,6 +130,9 @@ static GtkWidget *button_of(TinkerPalette *palette, const TinkerBlockClass *bloc
     Item *item = g_new0(Item, 1);
     item->palette = palette;
     item->block_class = block_class;
+    g_autofree char *found_by =
+        g_strjoin(" ", title, type->summary != NULL ? tinker_translate(type->summary) : "", NULL);
+    item->words = tinker_search_words(found_by);
     item->button = gtk_button_new();
     GtkWidget *row = gtk_box_new(GTK_ORIENTATION_HORIZONTAL, 8), *label = gtk_label_new(title);
     gtk_label_set_xalign(GTK_LABEL(label), 0);
@@ -127,7 +145,7 @@ static GtkWidget *button_of(TinkerPalette *palette, const TinkerBlockClass *bloc
                                                      : NULL;
     gtk_widget_set_tooltip_text(item->button, tooltip);
     gtk_accessible_update_property(GTK_ACCESSIBLE(item->button), GTK_ACCESSIBLE_PROPERTY_LABEL, title, -1);
-    g_object_set_data_full(G_OBJECT(item->button), "item", item, g_free);
+    g_object_set_data_full(G_OBJECT(item->button), "item", item, item_free);
     g_signal_connect_swapped(item->button, "clicked", G_CALLBACK(on_clicked), item);
     GtkGesture *drag = gtk_gesture_drag_new();
     gtk_event_controller_set_propagation_phase(GTK_EVENT_CONTROLLER(drag), GTK_PHASE_CAPTURE);
@@ -165,6 +183,58 @@ static GPtrArray *usable_types(const GPtrArray *libraries)
     return types;
 }
 
+/* Searching ----------------------------------------------------------------------------------------------------------
+ */
+
+/* A heading is shown where a block below it is. */
+static void on_searched(TinkerPalette *palette)
+{
+    g_auto(GStrv) stems = tinker_search_stems(gtk_editable_get_text(GTK_EDITABLE(palette->search)));
+    gboolean any = FALSE, below = FALSE;
+    for (GtkWidget *child = gtk_widget_get_last_child(palette->list); child != NULL;
+         child = gtk_widget_get_prev_sibling(child)) {
+        const Item *item = item_of(child);
+        const gboolean shown = item != NULL ? tinker_search_finds(item->words, stems) : below;
+        gtk_widget_set_visible(child, shown);
+        below = item != NULL && (shown || below);
+        any |= shown;
+    }
+    gtk_widget_set_visible(palette->none, !any);
+}
+
+/* Return places the first that is found. */
+static void on_search_activated(TinkerPalette *palette)
+{
+    for (GtkWidget *child = gtk_widget_get_first_child(palette->list); child != NULL;
+         child = gtk_widget_get_next_sibling(child)) {
+        if (item_of(child) == NULL || !gtk_widget_get_visible(child)) continue;
+        on_clicked(item_of(child));
+        gtk_editable_set_text(GTK_EDITABLE(palette->search), "");
+        return;
+    }
+}
+
+static void on_search_stopped(TinkerPalette *palette)
+{
+    gtk_editable_set_text(GTK_EDITABLE(palette->search), "");
+    gtk_widget_grab_focus(GTK_WIDGET(palette->canvas));
+}
+
+static GtkWidget *make_search(TinkerPalette *palette)
+{
+    palette->search = gtk_search_entry_new();
+    gtk_widget_add_css_class(palette->search, "palette-search");
+    gtk_editable_set_width_chars(GTK_EDITABLE(palette->search), SEARCH_WIDTH); /* the blocks say how wide the list is */
+    gtk_editable_set_max_width_chars(GTK_EDITABLE(palette->search), SEARCH_WIDTH);
+    g_object_set(palette->search, "placeholder-text", _("Find a Block"), NULL);
+    gtk_accessible_update_property(GTK_ACCESSIBLE(palette->search), GTK_ACCESSIBLE_PROPERTY_LABEL, _("Find a Block"),
+                                   -1);
+    g_signal_connect_swapped(palette->search, "search-changed", G_CALLBACK(on_searched), palette);
+    g_signal_connect_swapped(palette->search, "activate", G_CALLBACK(on_search_activated), palette);
+    g_signal_connect_swapped(palette->search, "stop-search", G_CALLBACK(on_search_stopped), palette);
+    return palette->search;
+}
+
 void tinker_palette_focus(TinkerPalette *palette)
 {
     gtk_widget_child_focus(palette->list, GTK_DIR_TAB_FORWARD);
@@ -195,7 +265,7 @@ static void tinker_palette_dispose(GObject *object)
 static void tinker_palette_class_init(TinkerPaletteClass *class)
 {
     G_OBJECT_CLASS(class)->dispose = tinker_palette_dispose;
-    gtk_widget_class_set_layout_manager_type(GTK_WIDGET_CLASS(class), GTK_TYPE_BIN_LAYOUT);
+    gtk_widget_class_set_layout_manager_type(GTK_WIDGET_CLASS(class), GTK_TYPE_BOX_LAYOUT);
     gtk_widget_class_set_css_name(GTK_WIDGET_CLASS(class), "palette");
 }
 
@@ -203,7 +273,16 @@ static void tinker_palette_init(TinkerPalette *palette)
 {
     GtkWidget *scrolled = gtk_scrolled_window_new();
     gtk_scrolled_window_set_policy(GTK_SCROLLED_WINDOW(scrolled), GTK_POLICY_NEVER, GTK_POLICY_AUTOMATIC);
+    gtk_orientable_set_orientation(GTK_ORIENTABLE(gtk_widget_get_layout_manager(GTK_WIDGET(palette))),
+                                   GTK_ORIENTATION_VERTICAL);
     palette->list = gtk_box_new(GTK_ORIENTATION_VERTICAL, 2);
+    palette->none = gtk_label_new(_("No block has all of these words"));
+    gtk_widget_set_visible(palette->none, FALSE);
+    gtk_widget_add_css_class(palette->none, "dim-label");
+    gtk_label_set_wrap(GTK_LABEL(palette->none), TRUE);
+    gtk_label_set_max_width_chars(GTK_LABEL(palette->none), 1);
+    gtk_widget_set_parent(make_search(palette), GTK_WIDGET(palette));
+    gtk_widget_set_parent(palette->none, GTK_WIDGET(palette));
     gtk_scrolled_window_set_child(GTK_SCROLLED_WINDOW(scrolled), palette->list);
     gtk_widget_set_vexpand(scrolled, TRUE);
     gtk_widget_set_parent(scrolled, GTK_WIDGET(palette));

@@ -105,5 +105,25 @@ def test_placing_goes_back_to_the_start(display):
         check_close(app.blocks()["Ball"]["position"][1], 0, 0, "the ball as it was edited")
 
 
+def shown_of(app, *names):
+    return [name for name in names if app.look("button", name)]
+
+
+def test_a_spring_to_run_into_is_found(display):
+    """By what it does, not by its name: words of its tooltip find it, Return places what is first."""
+    with App(display, scene(mass("Block", 0, 0))) as app:
+        entry = app.find(None, "Find a Block")
+        for words in ("spring", "buffer", "run into"):
+            app.retype(entry, words)
+            wait(lambda: shown_of(app, "Bumper", "Disc", "Gear") == ["Bumper"], f"what is found by “{words}”")
+        app.press("Return")
+        app.find_starting("list item", "Bumper 0")
+        wait(lambda: shown_of(app, "Bumper", "Disc") == ["Bumper", "Disc"], "all of them again")
+        app.retype(entry, "flywheel clock")
+        app.find("label", "No block has all of these words")
+        app.press("Escape")
+        app.gone("label", "No block has all of these words")
+
+
 if __name__ == "__main__":
     main()
