@@ -39,14 +39,27 @@ double canvas_seen_from(const TinkerCanvas *canvas)
     return canvas->cover != NULL ? fmin(gtk_widget_get_height(canvas->cover), canvas->view.height / 2) : 0;
 }
 
+/* Where at the edge the mark of a body out of the view is. Fields stand in the upper left corner, `corner` wide and
+ * high: a mark goes below them, or beside them where the body is above the view. */
+static void mark_at(const TinkerCanvas *canvas, const double place[2], const double corner[2], double at[2])
+{
+    const double off = MARK + EDGE, top = canvas_seen_from(canvas);
+    at[0] = CLAMP(place[0], off, fmax(canvas->view.width - off, off));
+    at[1] = CLAMP(place[1], top + off, fmax(canvas->view.height - off, top + off));
+    if (at[0] - off >= corner[0] || at[1] - off >= corner[1]) return;
+    const int k = place[0] < 0 ? 1 : 0;
+    at[k] = corner[k] + off;
+}
+
 /* A triangle at the edge that points to where the body is, and its name beside it, inside the view. */
 static void paint_mark(TinkerCanvas *canvas, cairo_t *cairo, const TinkerTheme *theme, const double place[2],
-                       const char *name)
+                       const double corner[2], const char *name)
 {
     const double *colour = theme->colours[TINKER_COLOUR_BODY_EDGE], *ink = theme->colours[TINKER_COLOUR_TEXT];
-    const double off = MARK + EDGE, top = canvas_seen_from(canvas);
-    const double x = CLAMP(place[0], off, fmax(canvas->view.width - off, off));
-    const double y = CLAMP(place[1], top + off, fmax(canvas->view.height - off, top + off));
+    const double top = canvas_seen_from(canvas);
+    double at[2];
+    mark_at(canvas, place, corner, at);
+    const double x = at[0], y = at[1];
     cairo_text_extents_t extents;
     cairo_save(cairo);
     cairo_translate(cairo, x, y);
@@ -71,14 +84,15 @@ void canvas_paint_edge_marks(TinkerCanvas *canvas, cairo_t *cairo, TinkerFrame *
 {
     TinkerScene *scene = tinker_frame_scene(frame);
     int count = 0;
+    double corner[2];
     cairo_save(cairo);
     for (int32_t i = 0; i < tinker_scene_block_count(scene) && count < MOST; i++) {
         TinkerBlockId block = tinker_scene_block_at(scene, i);
         double world[2], place[2];
         if (!can_move(scene, block) || !place_of(canvas, frame, block, world, place) || is_in_view(canvas, place))
             continue;
-        paint_mark(canvas, cairo, theme, place, tinker_scene_block_name(scene, block));
-        count++;
+        if (count++ == 0) tinker_painter_fields_reach(frame, &canvas->view, corner);
+        paint_mark(canvas, cairo, theme, place, corner, tinker_scene_block_name(scene, block));
     }
     cairo_restore(cairo);
 }
