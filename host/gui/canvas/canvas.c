@@ -493,6 +493,6 @@ static void tinker_canvas_init(TinkerCanvas *canvas)
     canvas->marked = g_array_new(FALSE, FALSE, sizeof(TinkerBlockId));
     gtk_widget_set_focusable(GTK_WIDGET(canvas), TRUE);
     gtk_widget_set_overflow(GTK_WIDGET(canvas), GTK_OVERFLOW_HIDDEN);
-    gtk_accessible_update_property(GTK_ACCESSIBLE(canvas), GTK_ACCESSIBLE_PROPERTY_LABEL, "Canvas", -1);
+    gtk_accessible_update_property(GTK_ACCESSIBLE(canvas), GTK_ACCESSIBLE_PROPERTY_LABEL, _("Canvas"), -1);
     canvas_add_input(canvas);
 }
