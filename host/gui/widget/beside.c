@@ -3,7 +3,7 @@
 
 #include "gui/widget/unparent.h"
 
-#define LEAST 260 /* px: for the first, unless it wants less */
+#define LEAST 380 /* px: for the first, unless it wants less */
 #define GAP   6   /* px */
 
 struct _TinkerBeside {

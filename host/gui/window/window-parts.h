@@ -27,6 +27,7 @@ struct _TinkerWindow {
     /* Parts of window.ui. */
     TinkerCanvas *canvas;
     GtkWidget *header;
+    GtkWidget *switcher; /* of the pages, in the header */
     TinkerPalette *palette;
     TinkerPlaybar *playbar;
     AdwToastOverlay *toasts;

@@ -129,6 +129,28 @@ static GtkWidget *new_model_page(TinkerWindow *window, TinkerModesTask *task)
     return box;
 }
 
+/* The width of the widest text that is shown below a widget. */
+static int widest_text(GtkWidget *widget)
+{
+    int widest = 0;
+    if (GTK_IS_LABEL(widget)) gtk_widget_measure(widget, GTK_ORIENTATION_HORIZONTAL, -1, NULL, &widest, NULL, NULL);
+    for (GtkWidget *child = gtk_widget_get_first_child(widget); child != NULL;
+         child = gtk_widget_get_next_sibling(child))
+        if (gtk_widget_get_child_visible(child)) widest = MAX(widest, widest_text(child));
+    return widest;
+}
+
+/* As wide as the names in it, which all have the room of the longest: otherwise it would cut them off before the title
+ * gives way. What it wants by itself is more than a small window has. */
+static void show_names_whole(GtkWidget *switcher)
+{
+    int count = 0;
+    for (GtkWidget *child = gtk_widget_get_first_child(switcher); child != NULL;
+         child = gtk_widget_get_next_sibling(child))
+        count++;
+    gtk_widget_set_size_request(switcher, count * widest_text(switcher), -1);
+}
+
 static void connect_parts(TinkerWindow *window)
 {
     tinker_canvas_set_cover(window->canvas, GTK_WIDGET(window->banners));
@@ -183,6 +205,7 @@ TinkerWindow *tinker_window_new(AdwApplication *application, TinkerCatalogue *ca
     tinker_notice_bar_set(window->notices, "icons", tinker_guarded_icon_notices());
     window_add_start(window);
     window_add_joints(window);
+    show_names_whole(window->switcher);
     window_restore_state(window);
     window_start_first(window);
     on_file_changed(window);
@@ -221,6 +244,7 @@ static void tinker_window_class_init(TinkerWindowClass *class)
     BIND(toasts);
     BIND(title);
     BIND(pages);
+    BIND(switcher);
     BIND(panel);
     BIND(palette_side);
     BIND(panel_side);

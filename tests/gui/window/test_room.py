@@ -50,7 +50,7 @@ def test_field_is_not_beneath_a_notice(display):
 
 def test_notice_in_a_small_window(display):
     """At 800 by 500 pixels, the least there may be: its text is no column of letters, and its buttons are inside."""
-    with App(display, scene(support("Floor", 0, 0), mass("Box", 0, 0.3), spring("Link", "Box", (2, 3)))) as app:
+    with App(display, scene(support("Floor", 0, 0), mass("Box", 0, 0.3), spring("Link", (-2, 3), (2, 3)))) as app:
         widest = max(app.windows(), key=lambda window: window[1][2])  # others are tips
         app.xdotool("windowsize", widest[0], 800, 500)
         wait(lambda: width_of_window(app) == 800, "the window to be small")
@@ -73,6 +73,25 @@ def test_mark_at_the_edge_is_not_beneath_a_notice(display):
         app.click("Close Notice")
         strip = (middle - 12, top, middle + 12, top + 24)
         wait(lambda: colours.fill_count(app.picture(), strip, BODY_EDGE) > 40, "a mark at the upper edge, without a notice")
+
+
+def test_mark_at_the_edge_is_not_upon_a_field(display):
+    """Bodies out of sight to the upper left: their marks are beside and below gravity's arrow and name."""
+    with App(display, scene(GRAVITY, support("Floor", 0, 0), mass("High", -4.9, 50), mass("Left", -50, 3.5), width=10)) as app:
+        app.show_width()
+        left, top, _, _ = app.canvas_box()
+        wait(lambda: colours.fill_count(app.picture(), (left, top, left + 120, top + 120), BODY_EDGE) > 80, "two marks")
+        check_equal(colours.fill_count(app.picture(), (left, top, left + 50, top + 60), BODY_EDGE), 0, "pixels of them upon gravity")
+
+
+def test_names_of_the_pages_are_whole_in_a_small_window(display):
+    with App(display, scene(mass("Ball", 0, 0))) as app:
+        widest = max(app.windows(), key=lambda window: window[1][2])
+        whole = {name: app.find("label", name, inside=app.find("tab", name)).box()[2] for name in ("Model", "Graphs", "Accuracy")}
+        app.xdotool("windowsize", widest[0], 800, 500)
+        wait(lambda: width_of_window(app) == 800, "the window to be small")
+        for name, width in whole.items():
+            check_equal(app.find("label", name, inside=app.find("tab", name)).box()[2], width, f"width of {name} (px)")
 
 
 def test_long_name_makes_nothing_wider(display):
