@@ -106,7 +106,8 @@ static void offer_stretched(GPtrArray *options, TinkerScene *scene, const Tinker
                               .value = start_distance(frame, link->own, link->far) - rest},
           g_strdup_printf(_("%s stretched by"), connector),
           g_strdup_printf(
-              _("Moves %s along %s until it is that much longer than its rest length; negative compresses it"),
+              _("Moves %s along %s until it is that much longer than its rest length; negative compresses it (of one "
+                "that only pushes, that is how far off it is)"),
               tinker_scene_block_name(scene, body), connector));
 }
 
