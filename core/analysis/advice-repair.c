@@ -18,14 +18,25 @@ static gboolean to_own(TinkerScene *scene, TinkerBlockId block, const double pla
     return TRUE;
 }
 
-/* To the centre; a joint, and what is on a body that turns, at the place where the end lies. */
+/* Whether an end that is connected to this block stays where it lies: on what turns, and on a plate, whose centre may
+ * be far off; of a joint on any support. */
+static gboolean stays_where_it_lies(TinkerScene *scene, TinkerBlockId connector, TinkerBlockId target)
+{
+    const TinkerBlockClass *block_class = tinker_scene_block_class(scene, target);
+    const int32_t freedoms = block_class->physics->body->degrees_of_freedom;
+    const int32_t solid = tinker_block_class_meaning_column(block_class, TINKER_MEANING_SOLID);
+    if (freedoms != 0) return freedoms == 3;
+    return start_is_joint(tinker_scene_block_class(scene, connector)) ||
+           (solid >= 0 && tinker_scene_get(scene, target, solid) != 0);
+}
+
+/* To the centre, or at the place where the end lies. */
 static gboolean connect_end(TinkerHistory *history, TinkerScene *scene, const TinkerAdvice *advice, GError **error)
 {
     TinkerBlockId connector = g_array_index(advice->blocks, TinkerBlockId, 0);
-    const int32_t freedoms = tinker_scene_block_class(scene, advice->target)->physics->body->degrees_of_freedom;
     const TinkerSceneEnd loose = tinker_scene_end(scene, connector, advice->end);
     TinkerSceneEnd to = {advice->target, 0, 0};
-    if ((freedoms == 3 || (freedoms == 0 && start_is_joint(tinker_scene_block_class(scene, connector)))) &&
+    if (stays_where_it_lies(scene, connector, advice->target) &&
         !to_own(scene, advice->target, (const double[]){loose.x, loose.y}, &to, error))
         return FALSE;
     return tinker_history_set_end(history, connector, advice->end, to, error);

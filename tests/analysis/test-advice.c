@@ -320,6 +320,26 @@ static void test_loose_pin(void)
     g_assert_cmpfloat(end.x, ==, -0.5);
 }
 
+/* A loose end over a long plate stays where it was drawn, far from the plate's centre; at a pivot it goes to that. */
+static void test_loose_end_at_a_support(void)
+{
+    g_autoptr(StartFixture) f =
+        start_fixture_new("{'type': 'support', 'width': 8}, {'type': 'mass', 'position': [0, 2]},"
+                          "{'type': 'spring', 'ends': ['Mass 0', [-3, 0.4]]}");
+    repair(f);
+    const TinkerSceneEnd plate = tinker_scene_end(f->scene, start_fixture_block(f, "Spring 0"), 1);
+    g_assert_cmpint(plate.block, ==, start_fixture_block(f, "Support 0"));
+    physics_assert_near("x", plate.x, -3, 1e-12);
+    physics_assert_near("y", plate.y, 0.4, 1e-12);
+    g_autoptr(StartFixture) g =
+        start_fixture_new("{'type': 'support', 'solid': false}, {'type': 'mass', 'position': [0, 2]},"
+                          "{'type': 'spring', 'ends': ['Mass 0', [0, 0.3]]}");
+    repair(g);
+    const TinkerSceneEnd pivot = tinker_scene_end(g->scene, start_fixture_block(g, "Spring 0"), 1);
+    g_assert_cmpint(pivot.block, ==, start_fixture_block(g, "Support 0"));
+    g_assert_true(pivot.x == 0 && pivot.y == 0);
+}
+
 /* A pendulum's pin without anything to hold on to gets a pivot where it is; a spring that hangs from nothing, too. */
 static void test_support_is_added(void)
 {
@@ -340,6 +360,7 @@ static void test_support_is_added(void)
 static void add_tests(void)
 {
     g_test_add_func("/advice/support-is-added", test_support_is_added);
+    g_test_add_func("/advice/loose-end-at-a-support", test_loose_end_at_a_support);
     g_test_add_func("/advice/rate", test_rate);
     g_test_add_func("/advice/joint", test_joint);
     g_test_add_func("/advice/loose-pin", test_loose_pin);
