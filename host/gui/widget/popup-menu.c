@@ -8,8 +8,9 @@ static gboolean unparent_later(gpointer menu)
 }
 
 /* The item that was chosen is activated after the menu has closed. */
-static void on_closed(GtkWidget *menu)
+static void on_closed(GtkWidget *menu, gpointer had_tooltip)
 {
+    gtk_widget_set_has_tooltip(gtk_widget_get_parent(menu), GPOINTER_TO_INT(had_tooltip));
     g_idle_add_full(G_PRIORITY_DEFAULT_IDLE, unparent_later, g_object_ref(menu), g_object_unref);
 }
 
@@ -21,6 +22,7 @@ void tinker_popup_menu(GtkWidget *parent, GMenuModel *model, double x, double y)
     gtk_popover_set_has_arrow(GTK_POPOVER(menu), FALSE);
     gtk_popover_set_pointing_to(GTK_POPOVER(menu), &at);
     gtk_widget_set_halign(menu, GTK_ALIGN_START);
-    g_signal_connect(menu, "closed", G_CALLBACK(on_closed), NULL);
+    g_signal_connect(menu, "closed", G_CALLBACK(on_closed), GINT_TO_POINTER(gtk_widget_get_has_tooltip(parent)));
+    gtk_widget_set_has_tooltip(parent, FALSE); /* it would come up over the menu */
     gtk_popover_popup(GTK_POPOVER(menu));
 }

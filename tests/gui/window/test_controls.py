@@ -52,6 +52,21 @@ def test_added_by_the_property(display):
         check_close(app.saved()["controls"][0]["step"], 0.02, 1e-12, "its step")
 
 
+def test_menu_of_a_title_is_not_beneath_its_tooltip(display):
+    with App(display, oscillator()) as app:
+        app.show_width()
+        app.click_world(0.13, 1.13)
+        app.bring_into_view(app.field("Properties", "Mass"))
+        title = next(node for node in app.tree.refresh() if node.role == "label" and node.name == "Mass" and
+                     any(other.name == "TinkerPropertyField" for other in node.ancestors()))
+        windows = len(app.windows())
+        app.xdotool("mousemove", *app.middle(title))
+        wait(lambda: len(app.windows()) > windows, "its tooltip")
+        app._click_at(*app.middle(title), button=3)
+        app.choose("Add Control")
+        app.find("slider", "Bob: Mass")
+
+
 def test_curve_follows_the_hand(display):
     """At 4 s the mass is at 2 - cos(4 omega) m, omega the root of the stiffness."""
     with App(display, oscillator(controls=[STIFFNESS], meters=[HEIGHT])) as app:
