@@ -6,6 +6,7 @@
  *     a mass           gap n . d - (H + h) / 2,       place along the top t . d
  *     a disc           gap n . d - H / 2 - R,         rolled t . d + R theta: friction f turns it by R f
  *     another body     gap n . (d + r) - H / 2,       t . (d + r), r the arm from its centre to where it touches */
+#include <float.h>
 #include <math.h>
 
 #include "equations/contact-terms.h"
@@ -51,10 +52,13 @@ static void add_arm(TinkerEquationWriter *writer, const TinkerTopContact *contac
     const double c = cos(at->orientation), s = sin(at->orientation);
     const double rx = contact->at[0] - at->x, ry = contact->at[1] - at->y;
     const double own[2] = {c * rx + s * ry, c * ry - s * rx};
+    const double rounding = DBL_EPSILON * (hypot(contact->at[0], contact->at[1]) + hypot(at->x, at->y));
     TinkerExpression *local[2], *arm[2];
-    for (int k = 0; k < 2; k++)
+    for (int k = 0; k < 2; k++) {
         local[k] = tinker_writer_symbol(writer, name_of(writer, contact, stems[k], NULL), contact->support, own[k],
                                         tinker_length_dimension, NULL, "where it touches, in the body's axes");
+        tinker_equations_set_rounding(writer->equations, local[k]->name, rounding);
+    }
     arm[0] =
         tinker_expression_minus(tinker_expression_times(copy(local[0]), tinker_expression_call("cos", copy(angle))),
                                 tinker_expression_times(copy(local[1]), tinker_expression_call("sin", copy(angle))));
@@ -189,6 +193,7 @@ static void add_sticking(TinkerEquationWriter *writer, const TinkerTopContact *c
     TinkerExpression *from = tinker_writer_symbol(writer, start, support, value, tinker_length_dimension, NULL,
                                                   top->radius != NULL ? "place along the top where it has not turned"
                                                                       : "place along the top");
+    tinker_equations_set_rounding(writer->equations, start, tinker_equations_rounding(writer->equations, place));
     const char *name = name_of(writer, contact, "f", NULL);
     TinkerExpression *friction =
         tinker_writer_symbol(writer, name, support, contact->friction, tinker_force_dimension, NULL, "friction force");

@@ -1,6 +1,8 @@
 /* A scene's equations, block by block. */
 #include "equations/equations.h"
 
+#include <float.h>
+#include <math.h>
 #include <string.h>
 
 #include "equations/writer-private.h"
@@ -90,18 +92,19 @@ static void add_time(TinkerEquationWriter *writer)
 /* The symbols of a body's state, its mass, and its inertia if it turns. */
 static void add_body(TinkerEquationWriter *writer, const TinkerBodyState *state)
 {
+    const double speed = hypot(state->at.vx, state->at.vy);
     const struct {
         const char *quantity, *stem;
         int dots;
-        double value;
+        double value, scale; /* what its rounding is that of */
         TinkerDimension dimension;
     } quantities[] = {
-        {"x", "x", 0, state->at.x, tinker_length_dimension},
-        {"y", "y", 0, state->at.y, tinker_length_dimension},
-        {"vx", "x", 1, state->at.vx, tinker_velocity_dimension},
-        {"vy", "y", 1, state->at.vy, tinker_velocity_dimension},
-        {"angle", "θ", 0, state->angle, tinker_angle_dimension},
-        {"rate", "θ", 1, state->rate, {0, 0, -1, 1}},
+        {"x", "x", 0, state->at.x, writer->extent, tinker_length_dimension},
+        {"y", "y", 0, state->at.y, writer->extent, tinker_length_dimension},
+        {"vx", "x", 1, state->at.vx, speed, tinker_velocity_dimension},
+        {"vy", "y", 1, state->at.vy, speed, tinker_velocity_dimension},
+        {"angle", "θ", 0, state->angle, fmax(1, fabs(state->angle)), tinker_angle_dimension},
+        {"rate", "θ", 1, state->rate, fabs(state->rate), {0, 0, -1, 1}},
     };
     const TinkerBlockId block = state->block;
     const char *block_name = tinker_scene_block_name(writer->scene, block);
@@ -112,6 +115,7 @@ static void add_body(TinkerEquationWriter *writer, const TinkerBodyState *state)
         add_look(equations, name, quantities[i].stem, index, quantities[i].dots);
         tinker_expression_unref(tinker_writer_symbol(writer, name, block, quantities[i].value, quantities[i].dimension,
                                                      NULL, quantities[i].quantity));
+        tinker_equations_set_rounding(equations, name, DBL_EPSILON * quantities[i].scale);
     }
     TinkerBodyEquation *body = g_new(TinkerBodyEquation, 1);
     *body = (TinkerBodyEquation){block, tinker_writer_meaning(writer, block, TINKER_MEANING_MASS, 0, "m"), NULL,
@@ -147,9 +151,21 @@ static void add_block(TinkerEquationWriter *writer, TinkerBlockId block)
     tinker_writer_add_unwritten(writer, block, roles[role].kind, why);
 }
 
+/* m: how far from the origin bodies are. */
+static double extent_of(const TinkerModelState *state)
+{
+    double extent = 0;
+    for (guint i = 0; i < state->bodies->len; i++) {
+        const TinkerBodySample *at = &g_array_index(state->bodies, TinkerBodyState, i).at;
+        extent = fmax(extent, hypot(at->x, at->y));
+    }
+    return extent;
+}
+
 static void write_all(TinkerEquationWriter *writer)
 {
     const TinkerModelState *state = writer->state;
+    writer->extent = extent_of(state);
     tinker_writer_number_blocks(writer);
     add_time(writer);
     for (guint i = 0; i < state->bodies->len; i++)
@@ -158,6 +174,7 @@ static void write_all(TinkerEquationWriter *writer)
         add_block(writer, tinker_scene_block_at(writer->scene, i));
     tinker_writer_add_contacts(writer);
     tinker_writer_mark_redundant(writer);
+    tinker_equations_bound_roundings(writer->equations);
 }
 
 static void sampled_free(gpointer data)
@@ -185,6 +202,7 @@ TinkerEquations *tinker_equations_new(TinkerScene *scene, const TinkerModelState
         .rods = g_ptr_array_new_with_free_func(line_free),
         .looks = g_hash_table_new_full(g_str_hash, g_str_equal, g_free, look_free),
         .values = g_hash_table_new_full(g_str_hash, g_str_equal, g_free, g_free),
+        .roundings = g_hash_table_new_full(g_str_hash, g_str_equal, g_free, g_free),
     };
     TinkerEquationWriter writer = {
         .equations = equations,
@@ -219,6 +237,7 @@ void tinker_equations_free(TinkerEquations *equations)
         g_ptr_array_unref(lists[i]);
     g_hash_table_unref(equations->looks);
     g_hash_table_unref(equations->values);
+    g_hash_table_unref(equations->roundings);
     g_free(equations);
 }
 

@@ -112,6 +112,7 @@ typedef struct {
     GPtrArray *rods;    /* of TinkerLineEquation: what keeps two places apart, with that length in place of a tension */
     GHashTable *looks;  /* name to TinkerEquationLook */
     GHashTable *values; /* name to double: of symbols and definitions */
+    GHashTable *roundings; /* name to double: of those that are not rounded to the last digit of their value */
 } TinkerEquations;
 
 /* The equations of a scene at a state of it. The scene is borrowed and must not change as long as they live. Errors are
@@ -135,5 +136,11 @@ gboolean tinker_equations_is_not_written(const TinkerEquations *equations, const
 
 /* An expression worked out with the values at the time. */
 double tinker_equations_value(const TinkerEquations *equations, const TinkerExpression *expression);
+
+/* How far rounding alone can have moved that value: of numbers that are given and of every step of working it out. */
+double tinker_equations_rounding(const TinkerEquations *equations, const TinkerExpression *expression);
+
+/* The value as people read it: 0 where it is no larger than its rounding. */
+double tinker_equations_shown_value(const TinkerEquations *equations, const TinkerExpression *expression);
 
 #endif

@@ -1,4 +1,5 @@
 /* The numbers of a matrix form: its rest, and its roots. Source of the roots: LAPACK Users' Guide, xGEEV. */
+#include <float.h>
 #include <lapacke.h>
 #include <math.h>
 #include <stdlib.h>
@@ -10,6 +11,7 @@
 /* A matrix whose inverse is larger than this share of it is singular; a root that small beside the largest is 0. */
 #define SINGULAR 1e-13
 #define NO_ROOT  1e-12
+#define SOLVE    4 /* roundings of a solve, in units of the last place of the largest number */
 
 static double *numbers_of(const TinkerEquations *equations, const GPtrArray *entries)
 {
@@ -84,7 +86,8 @@ static TinkerExpression *varying_part(const TinkerEquations *equations, const Ti
 void tinker_matrix_count_from_rest(const TinkerEquations *equations, TinkerMatrixIsland *island)
 {
     const lapack_int n = (lapack_int)island->coordinates->len;
-    g_autofree double *k = numbers_of(equations, island->stiffness), *rest = g_new(double, n);
+    g_autofree double *k = numbers_of(equations, island->stiffness), *rest = g_new(double, 2 * n);
+    double *rounding = rest + n, farthest = 0;
     g_autofree lapack_int *pivots = g_new(lapack_int, n);
     Rest question = {equations};
     double largest = 0;
@@ -94,14 +97,20 @@ void tinker_matrix_count_from_rest(const TinkerEquations *equations, TinkerMatri
         g_autoptr(TinkerExpression) constant =
             tinker_expression_replace(g_ptr_array_index(island->load, i), definition_or_zero, &question);
         rest[i] = tinker_equations_value(equations, constant);
+        rounding[i] = tinker_equations_rounding(equations, constant);
     }
     if (largest == 0 || LAPACKE_dgetrf(LAPACK_ROW_MAJOR, n, n, k, n, pivots) != 0) return;
     for (lapack_int i = 0; i < n; i++)
         if (fabs(k[i * n + i]) <= SINGULAR * largest) return;
     LAPACKE_dgetrs(LAPACK_ROW_MAJOR, 'N', n, 1, k, n, pivots, rest, 1);
+    LAPACKE_dgetrs(LAPACK_ROW_MAJOR, 'N', n, 1, k, n, pivots, rounding, 1);
+    for (lapack_int i = 0; i < n; i++)
+        farthest = fmax(farthest, fabs(rest[i]));
     island->about_rest = TRUE;
     for (lapack_int i = 0; i < n; i++) {
-        g_array_index(island->coordinates, TinkerMatrixCoordinate, i).about = rest[i];
+        TinkerMatrixCoordinate *coordinate = &g_array_index(island->coordinates, TinkerMatrixCoordinate, i);
+        coordinate->about = rest[i];
+        coordinate->rounding = SOLVE * DBL_EPSILON * farthest + fabs(rounding[i]);
         TinkerExpression *varying = varying_part(equations, g_ptr_array_index(island->load, i));
         tinker_expression_unref(g_ptr_array_index(island->load, i));
         island->load->pdata[i] = varying;

@@ -3,6 +3,7 @@
  * s of now: its tension T0 + k L + c dL/dt becomes s T0 + k (q_b - q_a) + c (v_b - v_a). */
 #include "equations/matrix.h"
 
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -10,6 +11,7 @@
 #include "law/derivative.h"
 
 #define MOST_COORDINATES 64
+#define ROUNDING         (4 * DBL_EPSILON) /* of a unit vector */
 
 typedef struct {
     const TinkerEquations *equations;
@@ -222,6 +224,13 @@ static void island_free(void *data)
     g_free(island);
 }
 
+/* A direction along an axis has no share of the other. */
+static double without_rounding(double component, double other)
+{
+    if (fabs(component) <= ROUNDING) return 0;
+    return fabs(other) <= ROUNDING ? copysign(1, component) : component;
+}
+
 /* The coordinates of an island: one a body along its line, or two in the plane where nothing ties it. */
 static void choose_coordinates(Builder *builder, const TinkerIslandPlan *plan)
 {
@@ -229,7 +238,8 @@ static void choose_coordinates(Builder *builder, const TinkerIslandPlan *plan)
         const TinkerBlockId block = g_array_index(plan->blocks, TinkerBlockId, i);
         if (equation_of(builder, block) == NULL) continue;
         if (plan->straight) {
-            add_coordinate(builder, block, plan->direction[0], plan->direction[1]);
+            const double ux = plan->direction[0], uy = plan->direction[1];
+            add_coordinate(builder, block, without_rounding(ux, uy), without_rounding(uy, ux));
             continue;
         }
         add_coordinate(builder, block, 1, 0);

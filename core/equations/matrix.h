@@ -11,7 +11,8 @@ typedef struct {
     TinkerBlockId body;
     double direction[2];  /* unit vector */
     TinkerExpression *is; /* of the body's place, m */
-    double about;         /* m: what x is counted from */
+    double about;         /* m: what x is counted from; */
+    double rounding;      /* how far rounding alone can have moved that */
 } TinkerMatrixCoordinate;
 
 /* Entries are expressions, n by n by rows. */

@@ -122,15 +122,14 @@ static char *joined(const char *stem, const char *index, int dots, const char *c
                        NULL);
 }
 
-const char *tinker_writer_indexed_name(TinkerEquationWriter *writer, TinkerBlockId block, const char *stem,
+const char *tinker_equations_free_name(TinkerEquations *equations, TinkerBlockId block, const char *stem,
                                        const char *index, int dots, const char *component)
 {
-    GHashTable *looks = writer->equations->looks;
     g_autofree char *shown = g_strdup(index);
     char *name = joined(stem, shown, dots, component);
-    for (int again = 0; g_hash_table_contains(looks, name) || strcmp(name, "t") == 0; again++) {
+    for (int again = 0; g_hash_table_contains(equations->looks, name) || strcmp(name, "t") == 0; again++) {
         /* taken by a block of another group: by the block's own name, which is unique, and that in turn by a number */
-        const char *own = block >= 0 ? tinker_scene_block_name(writer->scene, block) : "";
+        const char *own = block >= 0 ? tinker_scene_block_name(equations->scene, block) : "";
         g_free(shown);
         shown = again == 0 ? g_strdup(own) : g_strdup_printf("%s %d", own, again);
         g_free(name);
@@ -138,8 +137,14 @@ const char *tinker_writer_indexed_name(TinkerEquationWriter *writer, TinkerBlock
     }
     TinkerEquationLook *look = g_new(TinkerEquationLook, 1);
     *look = (TinkerEquationLook){g_strdup(stem), g_steal_pointer(&shown), dots, g_intern_string(component)};
-    g_hash_table_insert(looks, name, look);
+    g_hash_table_insert(equations->looks, name, look);
     return name;
+}
+
+const char *tinker_writer_indexed_name(TinkerEquationWriter *writer, TinkerBlockId block, const char *stem,
+                                       const char *index, int dots, const char *component)
+{
+    return tinker_equations_free_name(writer->equations, block, stem, index, dots, component);
 }
 
 const char *tinker_writer_name(TinkerEquationWriter *writer, TinkerBlockId block, const char *stem, int dots,

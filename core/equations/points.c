@@ -1,4 +1,5 @@
 /* Places: of bodies by their state, of supports by their properties and motions. */
+#include <float.h>
 #include <math.h>
 
 #include "equations/writer-private.h"
@@ -150,14 +151,16 @@ static const TinkerPointSymbols *centre_of(TinkerEquationWriter *writer, TinkerB
 }
 
 /* A number that belongs to an end: how far a point is from its block's centre. */
-static TinkerExpression *offset(TinkerEquationWriter *writer, TinkerBlockId connector, int32_t number, double value,
-                                gboolean along_x)
+static TinkerExpression *offset(TinkerEquationWriter *writer, TinkerBlockId connector, int32_t number,
+                                const TinkerSceneEnd *end, gboolean along_x)
 {
+    const double value = along_x ? end->x : end->y;
     if (value == 0) return tinker_expression_number(0);
     g_autofree char *key = g_strdup_printf("ends %d at %s", number, along_x ? "x" : "y");
     g_autofree char *index = g_strdup_printf("%s%s%d", tinker_writer_index(writer, connector),
-                                             tinker_writer_index(writer, connector)[0] != '\0' ? "," : "", number);
+                                             tinker_writer_index(writer, connector)[0] != '\0' ? "," : "", number + 1);
     const char *name = tinker_writer_indexed_name(writer, connector, along_x ? "ax" : "ay", index, 0, NULL);
+    tinker_equations_set_rounding(writer->equations, name, DBL_EPSILON * fmax(writer->extent, hypot(end->x, end->y)));
     return tinker_writer_symbol(writer, name, connector, value, tinker_length_dimension, key, NULL);
 }
 
@@ -199,8 +202,8 @@ static void add_arm(TinkerEquationWriter *writer, TinkerPointSymbols *point, Tin
     const char *of_connector = tinker_writer_index(writer, connector);
     g_autofree char *index = g_strdup_printf("%s%s%d", of_connector, of_connector[0] != '\0' ? "," : "", number + 1);
     TinkerExpression *arm[2], **const places[] = {&point->x, &point->y}, **const rates[] = {&point->vx, &point->vy};
-    point->local_x = offset(writer, connector, number, end->x, TRUE);
-    point->local_y = offset(writer, connector, number, end->y, FALSE);
+    point->local_x = offset(writer, connector, number, end, TRUE);
+    point->local_y = offset(writer, connector, number, end, FALSE);
     turn_offset(point->angle, tinker_expression_ref(point->local_x), tinker_expression_ref(point->local_y), arm);
     for (int axis = 0; axis < 2; axis++)
         arm[axis] = define_of_end(writer, connector, index, "r", 0, axis, "arm from the centre of mass", arm[axis]);
@@ -236,8 +239,8 @@ void tinker_writer_end(TinkerEquationWriter *writer, TinkerBlockId connector, in
     point_copy(point, centre_of(writer, end.block));
     if (end.x == 0 && end.y == 0) return;
     TinkerExpression *turned[2];
-    turn_offset(point->angle, offset(writer, connector, number, end.x, TRUE),
-                offset(writer, connector, number, end.y, FALSE), turned);
+    turn_offset(point->angle, offset(writer, connector, number, &end, TRUE),
+                offset(writer, connector, number, &end, FALSE), turned);
     TinkerExpression *across[2];
     for (int axis = 0; axis < 2; axis++)
         across[axis] = tinker_expression_times(tinker_expression_ref(point->rate), tinker_expression_ref(turned[axis]));

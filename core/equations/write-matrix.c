@@ -61,14 +61,16 @@ static void write_coordinate(TinkerPage *page, const TinkerMatrixIsland *island,
 {
     const TinkerMatrixCoordinate *each = coordinate_at(island, number);
     g_autofree char *is = tinker_page_expression(page, each->is);
-    g_autofree char *about = tinker_page_quantity(page, fabs(each->about), length);
-    char *right = each->about == 0
-                      ? g_strdup(is)
-                      : g_strconcat(is, tinker_typeset_sign(page->format, each->about > 0 ? '-' : '+'), about, NULL);
+    const double rest = fabs(each->about) <= each->rounding ? 0 : each->about;
+    g_autofree char *about = tinker_page_quantity(page, fabs(rest), length);
+    char *right = rest == 0 ? g_strdup(is)
+                            : g_strconcat(is, tinker_typeset_sign(page->format, rest > 0 ? '-' : '+'), about, NULL);
     tinker_page_equation(page, coordinate(page, island, number, 0), right,
                          g_strdup(island->about_rest ? _("counted from rest") : _("its place")));
     const double value = tinker_equations_value(page->equations, each->is) - each->about;
-    tinker_page_equation(page, coordinate(page, island, number, 0), tinker_page_quantity(page, value, length),
+    const gboolean is_rest = fabs(value) <= each->rounding + tinker_equations_rounding(page->equations, each->is);
+    tinker_page_equation(page, coordinate(page, island, number, 0),
+                         tinker_page_quantity(page, is_rest ? 0 : value, length),
                          g_strdup_printf(C_("equations", "at t = %g s"), page->equations->time));
 }
 

@@ -56,6 +56,12 @@ static char *meaning_of(const TinkerEquations *equations, const TinkerEquationSy
     return g_strdup_printf("%s: %s", name_of(equations, symbol->block), words);
 }
 
+static char *value_of(const TinkerPage *page, const char *name, TinkerDimension dimension, gboolean energy)
+{
+    g_autoptr(TinkerExpression) symbol = tinker_expression_symbol(name);
+    return tinker_page_amount(page, tinker_equations_shown_value(page->equations, symbol), dimension, energy);
+}
+
 /* What is given: the values of properties. */
 static void write_given(TinkerPage *page, GHashTable *needed)
 {
@@ -67,7 +73,7 @@ static void write_given(TinkerPage *page, GHashTable *needed)
         if (first) tinker_page_heading(page, C_("equations", "where"));
         first = FALSE;
         page->about = symbol->block;
-        char *value = tinker_page_amount(page, symbol->value, symbol->dimension, FALSE);
+        char *value = value_of(page, symbol->name, symbol->dimension, FALSE);
         tinker_page_equation(page, tinker_page_symbol(page, symbol->name), value, meaning_of(equations, symbol));
     }
 }
@@ -91,14 +97,13 @@ static void write_state(TinkerPage *page, GHashTable *needed)
         const TinkerEquationSymbol *symbol = g_ptr_array_index(equations->symbols, i);
         if (!g_hash_table_contains(needed, symbol->name) || symbol->quantity == NULL) continue;
         tinker_page_state(page, symbol->block, tinker_page_symbol(page, symbol->name),
-                          tinker_page_amount(page, symbol->value, symbol->dimension, FALSE),
-                          meaning_of(equations, symbol));
+                          value_of(page, symbol->name, symbol->dimension, FALSE), meaning_of(equations, symbol));
     }
     for (guint i = 0; i < equations->definitions->len; i++) {
         const TinkerEquationDefinition *definition = g_ptr_array_index(equations->definitions, i);
         if (!g_hash_table_contains(needed, definition->name)) continue;
         tinker_page_state(page, definition->block, tinker_page_symbol(page, definition->name),
-                          tinker_page_amount(page, definition->value, definition->dimension, definition->energy), NULL);
+                          value_of(page, definition->name, definition->dimension, definition->energy), NULL);
     }
     if (g_hash_table_contains(needed, "t"))
         tinker_page_state(page, TINKER_NO_BLOCK, tinker_page_symbol(page, "t"),

@@ -19,6 +19,9 @@ static const char *const words[] = {
     NC_("equations", "force"),
     NC_("equations", "force of contact"),
     NC_("equations", "friction force"),
+    NC_("equations", "from its joint to its centre of mass"),
+    NC_("equations", "from joint to joint"),
+    NC_("equations", "from joint to joint, across the way to its centre of mass"),
     NC_("equations", "it hangs on no rod from a support"),
     NC_("equations", "it has too many angles to be written out (24 can be)"),
     NC_("equations", "it has too many coordinates to be written out"),
@@ -82,7 +85,7 @@ char *tinker_page_property_words(const TinkerEquations *equations, const TinkerE
     int end;
     char axis;
     if (sscanf(symbol->property, "ends %d at %c", &end, &axis) == 2)
-        return g_strdup_printf(C_("equations", "%c where its end %d is attached"), axis, end);
+        return g_strdup_printf(C_("equations", "%c where its end %d is attached"), axis, end + 1);
     const char *gap = strchr(symbol->property, ' ');
     g_autofree char *id =
         gap != NULL ? g_strndup(symbol->property, (gsize)(gap - symbol->property)) : g_strdup(symbol->property);

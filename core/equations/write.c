@@ -90,9 +90,9 @@ static void write_values(TinkerPage *page, const TinkerBodyEquation *body, const
     for (guint i = 0; i < body->terms->len; i++) {
         const TinkerExpression *part = part_of(&g_array_index(body->terms, TinkerTerm, i), component);
         if (!tinker_expression_is_number(part, 0))
-            g_ptr_array_add(parts, tinker_expression_number(tinker_equations_value(page->equations, part)));
+            g_ptr_array_add(parts, tinker_expression_number(tinker_equations_shown_value(page->equations, part)));
     }
-    const double result = tinker_equations_value(page->equations, sum);
+    const double result = tinker_equations_shown_value(page->equations, sum);
     char *total = tinker_page_amount(page, result, component->dimension, FALSE);
     if (parts->len > 1) {
         for (guint i = 0; i < parts->len; i++)

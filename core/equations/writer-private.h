@@ -24,6 +24,7 @@ typedef struct {
                             take these as they stand */
     GHashTable *sampled; /* name of a symbol of a table, or of its rate, to TinkerSampledSymbol */
     GArray *slopes;      /* of TinkerRowSlope */
+    double extent;       /* m: how far from the origin bodies are */
 } TinkerEquationWriter;
 
 /* A function of time that only its table knows: it and its first derivatives are symbols with values. */
@@ -67,6 +68,8 @@ void tinker_writer_number_blocks(TinkerEquationWriter *writer);
 const char *tinker_writer_name(TinkerEquationWriter *writer, TinkerBlockId block, const char *stem, int dots,
                                const char *component);
 /* A free name whose index is given; "" for none. Borrowed from the equations. */
+const char *tinker_equations_free_name(TinkerEquations *equations, TinkerBlockId block, const char *stem,
+                                       const char *index, int dots, const char *component);
 const char *tinker_writer_indexed_name(TinkerEquationWriter *writer, TinkerBlockId block, const char *stem,
                                        const char *index, int dots, const char *component);
 
@@ -79,6 +82,12 @@ const char *tinker_writer_index(const TinkerEquationWriter *writer, TinkerBlockI
 TinkerExpression *tinker_writer_symbol(TinkerEquationWriter *writer, const char *name, TinkerBlockId block,
                                        double value, TinkerDimension dimension, const char *property,
                                        const char *quantity);
+
+/* Says how exact a value is that is not rounded to its own last digit, as of a coordinate beside a larger one. */
+void tinker_equations_set_rounding(TinkerEquations *equations, const char *name, double rounding);
+
+/* Works out how exact definitions and unknown forces are, when all is written. */
+void tinker_equations_bound_roundings(TinkerEquations *equations);
 
 /* The property that carries a meaning. */
 TinkerExpression *tinker_writer_meaning(TinkerEquationWriter *writer, TinkerBlockId block, int32_t meaning,
