@@ -12,20 +12,15 @@
  *
  * with the support's acceleration P'' and all forces and moments but those of rods and pins (H. Goldstein, Classical
  * Mechanics, 1.4). */
-#include <math.h>
-
 #include "equations/angles-private.h"
+#include "law/collect.h"
 
 typedef struct {
-    const TinkerEquations *equations;
+    TinkerEquations *equations;
+    TinkerAngleForm *form;
     const TinkerAngleTree *tree;
     TinkerExpression *const *pivot; /* m/s^2 */
 } Writer;
-
-/* From a joint on, along e and n of its angle; owned. */
-typedef struct {
-    TinkerExpression *p, *q;
-} Arm;
 
 static TinkerExpression *copy(const TinkerExpression *expression)
 {
@@ -42,12 +37,6 @@ static TinkerExpression *symbol(const char *name)
     return tinker_expression_symbol(name);
 }
 
-static void arm_clear(Arm *arm)
-{
-    tinker_expression_unref(arm->p);
-    tinker_expression_unref(arm->q);
-}
-
 static gboolean is_beyond(const TinkerAngleTree *tree, int body, int number)
 {
     for (int at = body; at >= 0; at = tinker_angle_at(tree, at)->before)
@@ -55,173 +44,128 @@ static gboolean is_beyond(const TinkerAngleTree *tree, int body, int number)
     return FALSE;
 }
 
-/* (x, y) . (a, b) / d */
-static TinkerExpression *along(TinkerExpression *const v[2], TinkerExpression *a, TinkerExpression *b,
-                               const TinkerExpression *d)
+static const TinkerBodyEquation *body_of(const Writer *writer, int number)
 {
-    TinkerExpression *sum = tinker_expression_plus(product(copy(v[0]), a), product(copy(v[1]), b));
-    return tinker_expression_over(sum, copy(d));
+    return tinker_angle_body(writer->equations, tinker_angle_at(writer->tree, number)->body);
 }
 
-/* The arm (v) in the axes of a body, of which the joint is at a: e points from there to the centre. */
-static Arm arm_of_body(const Writer *writer, TinkerExpression *const a[2], TinkerExpression *const v[2],
-                       gboolean to_centre)
+static TinkerAngleArm arm_of(const Writer *writer, int k, int i)
 {
-    const gboolean level = tinker_expression_is_number(a[1], 0);
-    if (level && tinker_expression_is_number(a[0], 0)) return (Arm){tinker_expression_negated(copy(v[1])), copy(v[0])};
-    if (level) {
-        const gboolean back = tinker_equations_value(writer->equations, a[0]) > 0;
-        return (Arm){back ? tinker_expression_negated(copy(v[0])) : copy(v[0]),
-                     back ? tinker_expression_negated(copy(v[1])) : copy(v[1])};
+    return tinker_angle_arm(writer->equations, writer->form, writer->tree, k, i);
+}
+
+#define FACTORS 5
+
+/* Adds a product, with a sign before it; its factors are borrowed, and end at NULL. */
+static void add(TinkerExpression **sum, gboolean negative, const TinkerExpression *const factors[FACTORS])
+{
+    TinkerExpression *term = tinker_expression_number(1);
+    for (int i = 0; i < FACTORS && factors[i] != NULL; i++)
+        term = product(term, copy(factors[i]));
+    *sum = tinker_expression_plus(*sum, negative ? tinker_expression_negated(term) : term);
+}
+
+/* C cos d + S sin d and C sin d - S cos d, each times what turns: of both angles, the nearer to the support first, so
+ * that the equations of both have the same products. With the angles changed over, d and S have the other sign. */
+static void add_turning(TinkerExpression **sum, const Writer *writer, int j, int k, int i)
+{
+    const int near = j < k ? j : k, far = j < k ? k : j;
+    const TinkerRodAngle *turning = tinker_angle_at(writer->tree, k);
+    const TinkerExpression *m = body_of(writer, i)->mass;
+    TinkerAngleArm a = arm_of(writer, near, i), b = arm_of(writer, far, i);
+    g_autoptr(TinkerExpression) d = tinker_expression_minus(symbol(tinker_angle_at(writer->tree, near)->angle),
+                                                            symbol(tinker_angle_at(writer->tree, far)->angle));
+    g_autoptr(TinkerExpression) c = tinker_expression_call("cos", copy(d)), s = tinker_expression_call("sin", copy(d));
+    g_autoptr(TinkerExpression) acceleration = symbol(turning->acceleration);
+    g_autoptr(TinkerExpression) square = tinker_expression_squared(symbol(turning->rate));
+    const TinkerExpression *const even[][2] = {{a.p, b.p}, {a.q, b.q}}, *const odd[][2] = {{a.p, b.q}, {a.q, b.p}};
+    for (int n = 0; n < 2; n++) {
+        const gboolean back = n == 1, changed = j > k;
+        add(sum, FALSE, (const TinkerExpression *[]){m, even[n][0], even[n][1], c, acceleration});
+        add(sum, back, (const TinkerExpression *[]){m, odd[n][0], odd[n][1], s, acceleration});
+        add(sum, changed, (const TinkerExpression *[]){m, even[n][0], even[n][1], s, square});
+        add(sum, back == changed, (const TinkerExpression *[]){m, odd[n][0], odd[n][1], c, square});
     }
-    g_autoptr(TinkerExpression) d = tinker_expression_call(
-        "sqrt", tinker_expression_plus(tinker_expression_squared(copy(a[0])), tinker_expression_squared(copy(a[1]))));
-    if (to_centre) return (Arm){copy(d), tinker_expression_number(0)};
-    return (Arm){along(v, tinker_expression_negated(copy(a[0])), tinker_expression_negated(copy(a[1])), d),
-                 along(v, copy(a[1]), tinker_expression_negated(copy(a[0])), d)};
+    tinker_angle_arm_clear(&a);
+    tinker_angle_arm_clear(&b);
 }
 
-/* What angle k does to the centre of body i. */
-static Arm arm_of(const Writer *writer, int k, int i)
+/* What the turning of j itself takes, of a body beyond it. */
+static void add_own_turning(TinkerExpression **sum, const Writer *writer, int j, int i)
 {
-    const TinkerRodAngle *angle = tinker_angle_at(writer->tree, k);
-    if (!angle->turns) return (Arm){copy(angle->line->tension), tinker_expression_number(0)};
-    const TinkerRodAngle *next = NULL;
-    for (int at = i; at != k; at = next->before)
-        next = tinker_angle_at(writer->tree, at);
-    TinkerExpression *const *joint = angle->line->local[1 - angle->near];
-    TinkerExpression *v[2];
+    g_autoptr(TinkerExpression) acceleration = symbol(tinker_angle_at(writer->tree, j)->acceleration);
+    TinkerAngleArm arm = arm_of(writer, j, i);
+    const TinkerExpression *const parts[] = {arm.p, arm.q};
+    for (int n = 0; n < 2; n++)
+        add(sum, FALSE, (const TinkerExpression *[]){body_of(writer, i)->mass, parts[n], parts[n], acceleration, NULL});
+    tinker_angle_arm_clear(&arm);
+}
+
+/* -F . (P n - Q e) of one force along an axis, or with the other sign m P''. */
+static void add_load(TinkerExpression **sum, const Writer *writer, int j, const TinkerAngleArm *arm, int axis,
+                     gboolean force, const TinkerExpression *const load[2])
+{
+    g_autoptr(TinkerExpression) angle = symbol(tinker_angle_at(writer->tree, j)->angle);
+    g_autoptr(TinkerExpression) c = tinker_expression_call("cos", copy(angle)),
+                                s = tinker_expression_call("sin", copy(angle));
+    add(sum, force, (const TinkerExpression *[]){load[0], load[1], arm->p, axis == 0 ? c : s, NULL});
+    add(sum, force != (axis == 0), (const TinkerExpression *[]){load[0], load[1], arm->q, axis == 0 ? s : c, NULL});
+}
+
+/* What acts on a body beyond j, term by term, and what the support's acceleration asks for. */
+static void add_loads(TinkerExpression **sum, const Writer *writer, int j, int i)
+{
+    const TinkerBodyEquation *body = body_of(writer, i);
+    g_autoptr(TinkerExpression) one = tinker_expression_number(1);
+    TinkerAngleArm arm = arm_of(writer, j, i);
     for (int axis = 0; axis < 2; axis++) {
-        TinkerExpression *to = next != NULL ? copy(next->line->local[next->near][axis]) : tinker_expression_number(0);
-        v[axis] = tinker_expression_minus(to, copy(joint[axis]));
-    }
-    const Arm arm = arm_of_body(writer, joint, v, next == NULL);
-    tinker_expression_unref(v[0]);
-    tinker_expression_unref(v[1]);
-    return arm;
-}
-
-static gboolean same_arm(const Arm *a, const Arm *b)
-{
-    return tinker_expression_equal(a->p, b->p) && tinker_expression_equal(a->q, b->q);
-}
-
-static TinkerExpression *square_of(const TinkerExpression *a)
-{
-    return tinker_expression_squared(copy(a->kind == TINKER_EXPRESSION_NEGATIVE ? a->parts[0] : a));
-}
-
-/* m (P_j P_k + Q_j Q_k), and m (P_j Q_k - Q_j P_k). */
-static TinkerExpression *even_part(const TinkerExpression *mass, const Arm *j, const Arm *k)
-{
-    return tinker_expression_plus(product(product(copy(mass), copy(j->p)), copy(k->p)),
-                                  product(product(copy(mass), copy(j->q)), copy(k->q)));
-}
-
-static TinkerExpression *odd_part(const TinkerExpression *mass, const Arm *j, const Arm *k)
-{
-    return tinker_expression_minus(product(product(copy(mass), copy(j->p)), copy(k->q)),
-                                   product(product(copy(mass), copy(j->q)), copy(k->p)));
-}
-
-/* What the turning of k does along j, to a mass whose arms these are. */
-static TinkerExpression *turning_term(const Writer *writer, int j, int k, const TinkerExpression *mass, const Arm *own,
-                                      const Arm *other)
-{
-    const TinkerRodAngle *a = tinker_angle_at(writer->tree, j), *b = tinker_angle_at(writer->tree, k);
-    g_autoptr(TinkerExpression) even = even_part(mass, own, other), odd = odd_part(mass, own, other);
-    g_autoptr(TinkerExpression) between = tinker_expression_minus(symbol(a->angle), symbol(b->angle));
-    g_autoptr(TinkerExpression) cosine = tinker_expression_call("cos", copy(between)),
-                                sine = tinker_expression_call("sin", copy(between));
-    TinkerExpression *turning =
-        tinker_expression_plus(product(copy(even), copy(cosine)), product(copy(odd), copy(sine)));
-    TinkerExpression *spinning =
-        tinker_expression_minus(product(copy(even), copy(sine)), product(copy(odd), copy(cosine)));
-    return tinker_expression_plus(product(turning, symbol(b->acceleration)),
-                                  product(spinning, tinker_expression_squared(symbol(b->rate))));
-}
-
-/* The mass of body i and of those behind it that have the same arms; 0 where it is one of those behind. */
-static TinkerExpression *mass_alike(const Writer *writer, int j, int k, int i, const Arm *own, const Arm *other)
-{
-    TinkerExpression *sum = tinker_expression_number(0);
-    for (int n = 0; n < (int)writer->tree->angles->len; n++) {
-        if (!is_beyond(writer->tree, n, j) || !is_beyond(writer->tree, n, k)) continue;
-        Arm first = arm_of(writer, j, n), second = arm_of(writer, k, n);
-        const gboolean alike = same_arm(&first, own) && same_arm(&second, other);
-        arm_clear(&first);
-        arm_clear(&second);
-        if (alike && n < i) return sum;
-        const TinkerBodyEquation *body = tinker_angle_body(writer->equations, tinker_angle_at(writer->tree, n)->body);
-        if (alike) sum = tinker_expression_plus(sum, copy(body->mass));
-    }
-    return sum;
-}
-
-/* All that the turning of k does along j. */
-static TinkerExpression *inertia_terms(const Writer *writer, int j, int k)
-{
-    const TinkerRodAngle *angle = tinker_angle_at(writer->tree, j);
-    TinkerExpression *sum = tinker_expression_number(0);
-    const TinkerBodyEquation *body = tinker_angle_body(writer->equations, angle->body);
-    for (int i = 0; i < (int)writer->tree->angles->len; i++) {
-        if (!is_beyond(writer->tree, i, j) || !is_beyond(writer->tree, i, k)) continue;
-        Arm own = arm_of(writer, j, i), other = arm_of(writer, k, i);
-        g_autoptr(TinkerExpression) mass = mass_alike(writer, j, k, i, &own, &other);
-        TinkerExpression *term;
-        if (tinker_expression_is_number(mass, 0))
-            term = tinker_expression_number(0);
-        else if (j == k)
-            term = tinker_expression_plus(product(copy(mass), square_of(own.p)), product(copy(mass), square_of(own.q)));
-        else
-            term = turning_term(writer, j, k, mass, &own, &other);
-        sum = tinker_expression_plus(sum, term);
-        arm_clear(&own);
-        arm_clear(&other);
-    }
-    if (j != k) return sum;
-    if (angle->turns) sum = tinker_expression_plus(sum, copy(body->inertia));
-    return product(sum, symbol(angle->acceleration));
-}
-
-/* -F . (P n - Q e), term by term; and what the support's acceleration asks for. */
-static TinkerExpression *load_terms(const Writer *writer, int j, int i)
-{
-    const TinkerRodAngle *angle = tinker_angle_at(writer->tree, j);
-    const TinkerBodyEquation *body = tinker_angle_body(writer->equations, tinker_angle_at(writer->tree, i)->body);
-    Arm arm = arm_of(writer, j, i);
-    g_autoptr(TinkerExpression) c = tinker_expression_call("cos", symbol(angle->angle)),
-                                s = tinker_expression_call("sin", symbol(angle->angle));
-    TinkerExpression *sum = tinker_expression_number(0);
-    for (int axis = 0; axis < 2; axis++) {
-        g_autoptr(TinkerExpression) lever =
-            axis == 0 ? tinker_expression_minus(product(copy(arm.p), copy(c)), product(copy(arm.q), copy(s)))
-                      : tinker_expression_plus(product(copy(arm.p), copy(s)), product(copy(arm.q), copy(c)));
-        sum = tinker_expression_plus(sum, product(product(copy(body->mass), copy(writer->pivot[axis])), copy(lever)));
         for (guint k = 0; k < body->terms->len; k++) {
             const TinkerTerm *term = &g_array_index(body->terms, TinkerTerm, k);
-            if (term->kind == TINKER_TERM_CONSTRAINT) continue;
-            sum = tinker_expression_minus(sum, product(copy(axis == 0 ? term->x : term->y), copy(lever)));
+            const TinkerExpression *const load[] = {axis == 0 ? term->x : term->y, one};
+            if (term->kind != TINKER_TERM_CONSTRAINT) add_load(sum, writer, j, &arm, axis, TRUE, load);
         }
+        add_load(sum, writer, j, &arm, axis, FALSE, (const TinkerExpression *[]){body->mass, writer->pivot[axis]});
     }
-    for (guint k = 0; i == j && angle->turns && k < body->terms->len; k++) {
+    for (guint k = 0; i == j && body->inertia != NULL && k < body->terms->len; k++) {
         const TinkerTerm *term = &g_array_index(body->terms, TinkerTerm, k);
-        if (term->kind != TINKER_TERM_CONSTRAINT) sum = tinker_expression_minus(sum, copy(term->torque));
+        if (term->kind != TINKER_TERM_CONSTRAINT) *sum = tinker_expression_minus(*sum, copy(term->torque));
     }
-    arm_clear(&arm);
-    return sum;
+    tinker_angle_arm_clear(&arm);
 }
 
-TinkerExpression *tinker_angle_equation(const TinkerEquations *equations, const TinkerAngleTree *tree, int j,
-                                        TinkerExpression *const pivot[2])
+/* What says how the tree moves. */
+static gboolean moves(const TinkerExpression *factor, void *data)
 {
-    const Writer writer = {equations, tree, pivot};
+    const TinkerAngleTree *tree = data;
+    for (int i = 0; i < (int)tree->angles->len; i++) {
+        const TinkerRodAngle *angle = tinker_angle_at(tree, i);
+        if (tinker_expression_uses(factor, angle->angle) || tinker_expression_uses(factor, angle->rate) ||
+            tinker_expression_uses(factor, angle->acceleration))
+            return TRUE;
+    }
+    return FALSE;
+}
+
+TinkerExpression *tinker_angle_equation(TinkerEquations *equations, TinkerAngleForm *form, const TinkerAngleTree *tree,
+                                        int j, TinkerExpression *const pivot[2])
+{
+    const Writer writer = {equations, form, tree, pivot};
     const int n = (int)tree->angles->len;
+    const TinkerRodAngle *angle = tinker_angle_at(tree, j);
     TinkerExpression *sum = tinker_expression_number(0);
-    for (int k = 0; k < n; k++)
-        if (is_beyond(tree, k, j) || is_beyond(tree, j, k))
-            sum = tinker_expression_plus(sum, inertia_terms(&writer, j, k));
+    for (int k = 0; k < n; k++) {
+        for (int i = 0; i < n; i++) {
+            if (!is_beyond(tree, i, j) || !is_beyond(tree, i, k)) continue;
+            if (k == j)
+                add_own_turning(&sum, &writer, j, i);
+            else
+                add_turning(&sum, &writer, j, k, i);
+        }
+        if (k == j && angle->turns)
+            sum = tinker_expression_plus(sum, product(copy(body_of(&writer, j)->inertia), symbol(angle->acceleration)));
+    }
     for (int i = 0; i < n; i++)
-        if (is_beyond(tree, i, j)) sum = tinker_expression_plus(sum, load_terms(&writer, j, i));
-    return sum;
+        if (is_beyond(tree, i, j)) add_loads(&sum, &writer, j, i);
+    g_autoptr(TinkerExpression) terms = sum;
+    return tinker_expression_collected(terms, moves, (void *)tree);
 }

@@ -53,11 +53,12 @@ static void value_of_rod(const TinkerEquations *equations, TinkerRodAngle *angle
     angle->rate_value = (d[0] * v[1] - d[1] * v[0]) / (d[0] * d[0] + d[1] * d[1]);
 }
 
-static void name_angle(const Writer *writer, TinkerRodAngle *angle, guint number)
+/* With the number of its body, as its mass. */
+static void name_angle(const Writer *writer, TinkerRodAngle *angle)
 {
     TinkerEquations *equations = writer->equations;
-    const gboolean only = equations->rods->len + equations->pins->len == 1;
-    g_autofree char *index = only ? g_strdup("") : g_strdup_printf("%u", number);
+    g_autofree char *place = g_strconcat(tinker_scene_block_name(equations->scene, angle->body), ".x", NULL);
+    const char *index = ((const TinkerEquationLook *)g_hash_table_lookup(equations->looks, place))->index;
     angle->angle = add_name(equations, "θ", index, 0);
     angle->rate = add_name(equations, "θ", index, 1);
     angle->acceleration = add_name(equations, "θ", index, 2);
@@ -160,8 +161,7 @@ static void add_reason(TinkerAngleForm *form, TinkerBlockId block, const char *w
 }
 
 /* The tree that hangs on a support by this rod or pin. */
-static void add_tree(TinkerAngleForm *form, TinkerEquations *equations, const TinkerLineEquation *line, int near,
-                     guint *number)
+static void add_tree(TinkerAngleForm *form, TinkerEquations *equations, const TinkerLineEquation *line, int near)
 {
     TinkerAngleTree *tree = g_new(TinkerAngleTree, 1);
     *tree = (TinkerAngleTree){g_array_new(FALSE, TRUE, sizeof(TinkerRodAngle)),
@@ -180,32 +180,31 @@ static void add_tree(TinkerAngleForm *form, TinkerEquations *equations, const Ti
     for (int axis = 0; axis < 2; axis++)
         pivot[axis] = acceleration_of(&writer, line, near, axis);
     for (guint i = 0; i < tree->angles->len; i++)
-        name_angle(&writer, tinker_angle_at(tree, (int)i), ++*number);
+        name_angle(&writer, tinker_angle_at(tree, (int)i));
     for (guint i = 0; i < tree->angles->len; i++)
-        g_ptr_array_add(tree->equations, tinker_angle_equation(equations, tree, (int)i, pivot));
+        g_ptr_array_add(tree->equations, tinker_angle_equation(equations, form, tree, (int)i, pivot));
     for (int axis = 0; axis < 2; axis++)
         tinker_expression_unref(pivot[axis]);
     g_ptr_array_add(form->trees, tree);
 }
 
-static void add_trees(TinkerAngleForm *form, TinkerEquations *equations, const GPtrArray *links, guint *number)
+static void add_trees(TinkerAngleForm *form, TinkerEquations *equations, const GPtrArray *links)
 {
     for (guint i = 0; i < links->len; i++) {
         const TinkerLineEquation *line = g_ptr_array_index(links, i);
         for (int near = 0; near < 2; near++)
-            if (line->ends[near] < 0 && line->ends[1 - near] >= 0) add_tree(form, equations, line, near, number);
+            if (line->ends[near] < 0 && line->ends[1 - near] >= 0) add_tree(form, equations, line, near);
     }
 }
 
 TinkerAngleForm *tinker_angle_form_new(TinkerEquations *equations)
 {
     TinkerAngleForm *form = g_new(TinkerAngleForm, 1);
-    *form = (TinkerAngleForm){g_ptr_array_new_with_free_func(tree_free),
-                              g_ptr_array_new_with_free_func(tinker_equation_definition_free),
-                              g_ptr_array_new_with_free_func(reason_free)};
-    guint number = 0;
-    add_trees(form, equations, equations->rods, &number);
-    add_trees(form, equations, equations->pins, &number);
+    *form = (TinkerAngleForm){
+        g_ptr_array_new_with_free_func(tree_free), g_ptr_array_new_with_free_func(tinker_equation_definition_free),
+        g_ptr_array_new_with_free_func(tinker_equation_definition_free), g_ptr_array_new_with_free_func(reason_free)};
+    add_trees(form, equations, equations->rods);
+    add_trees(form, equations, equations->pins);
     if (form->trees->len == 0 && form->why->len == 0 && equations->bodies->len > 0)
         add_reason(form, ((TinkerBodyEquation *)g_ptr_array_index(equations->bodies, 0))->block,
                    "it hangs on no rod from a support");
@@ -216,6 +215,7 @@ void tinker_angle_form_free(TinkerAngleForm *form)
 {
     g_ptr_array_unref(form->trees);
     g_ptr_array_unref(form->definitions);
+    g_ptr_array_unref(form->lengths);
     g_ptr_array_unref(form->why);
     g_free(form);
 }

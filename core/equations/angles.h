@@ -24,6 +24,7 @@ typedef struct {
 typedef struct {
     GPtrArray *trees;       /* of TinkerAngleTree */
     GPtrArray *definitions; /* of TinkerEquationDefinition: accelerations of supports that move */
+    GPtrArray *lengths;     /* likewise: of bodies, between their joints and their centres */
     GPtrArray *why;         /* of TinkerNotWritten, without symbols: a body that is in no tree, and the reason */
 } TinkerAngleForm;
 

@@ -27,6 +27,22 @@ static void write_tree(TinkerPage *page, const TinkerAngleTree *tree)
     }
 }
 
+/* What lengths on bodies are, and how long. */
+static void write_lengths(TinkerPage *page, const TinkerAngleForm *form, GHashTable *needed)
+{
+    if (form->lengths->len > 0) tinker_page_heading(page, C_("equations", "lengths"));
+    for (guint i = 0; i < form->lengths->len; i++) {
+        const TinkerEquationDefinition *length = g_ptr_array_index(form->lengths, i);
+        tinker_equations_mark(page->equations, length->is, needed);
+        page->about = length->block;
+        tinker_page_equation(page, tinker_page_symbol(page, length->name), tinker_page_expression(page, length->is),
+                             g_strdup_printf("%s: %s", tinker_scene_block_name(page->equations->scene, length->block),
+                                             tinker_page_words(length->means)));
+        tinker_page_equation(page, tinker_page_symbol(page, length->name),
+                             tinker_page_quantity(page, length->value, length->dimension), NULL);
+    }
+}
+
 void tinker_equations_put_angles(TinkerPage *page, const TinkerAngleForm *form, const TinkerEquationsShown *shown)
 {
     const TinkerEquations *equations = page->equations;
@@ -37,6 +53,7 @@ void tinker_equations_put_angles(TinkerPage *page, const TinkerAngleForm *form, 
         for (guint k = 0; k < tree->equations->len; k++)
             tinker_equations_mark(equations, g_ptr_array_index(tree->equations, k), needed);
     }
+    write_lengths(page, form, needed);
     if (form->definitions->len > 0) tinker_page_heading(page, C_("equations", "moved by"));
     for (guint i = 0; i < form->definitions->len; i++) {
         const TinkerEquationDefinition *definition = g_ptr_array_index(form->definitions, i);

@@ -97,17 +97,18 @@ static void test_torque(CliFixture *fixture, gconstpointer data)
     cJSON_Delete(root);
 }
 
-/* The compound pendulum of a textbook, (m d^2 + I) theta'' + m g d sin theta = 0, with d = -ax: the pin is behind the
+/* The compound pendulum of a textbook, (m a^2 + I) theta'' + m g a sin theta = 0, with a = -ax: the pin is behind the
  * centre. A rod that hangs on its other end makes it a double pendulum, in two angles. */
 static void test_angles(CliFixture *fixture, gconstpointer data)
 {
     g_autofree char *text = pendulum(), *scene = cli_write(fixture, "scene.json", text);
     g_autoptr(TestProgram) page = cli_run_well(fixture, "equations @scene.json --form angles");
     g_autofree char *shown = g_utf8_normalize(page->output, -1, G_NORMALIZE_DEFAULT_COMPOSE);
-    g_autofree char *wanted =
-        g_utf8_normalize("(m ax₁² + I) θ̈ − m g ax₁ sin(θ) = 0\n", -1, G_NORMALIZE_DEFAULT_COMPOSE);
+    g_autofree char *wanted = g_utf8_normalize("(m a² + I) θ̈ + m g a sin(θ) = 0\n", -1, G_NORMALIZE_DEFAULT_COMPOSE);
     cli_assert_holds(shown, wanted);
     cli_assert_holds(shown, "θ = 0.5 rad   Bar, from straight down");
+    cli_assert_holds(shown, "Bar: from its joint to its centre of mass\n");
+    cli_assert_holds(shown, "a = 0.6 m\n");
     static const char more[] =
         ",{\"type\": \"mass\", \"name\": \"Bob\", \"mass\": 1, \"position\": [0.6, 1]},"
         "{\"type\": \"rod\", \"name\": \"Rod\", \"ends\": [\"Bob\", {\"block\": \"Bar\", \"at\": "
@@ -132,6 +133,42 @@ static void assert_page_holds(CliFixture *fixture, const char *command, const ch
         g_autofree char *wanted = g_utf8_normalize(*lines, -1, G_NORMALIZE_DEFAULT_COMPOSE);
         cli_assert_holds(shown, wanted);
     }
+}
+
+/* Two bars, of which the second hangs on the end of the first, and two pendulums as one: textbooks' equations, with the
+ * masses that the same length moves put together, and lengths that are not negative whichever way the bars lie. */
+static void test_double_pendulums(CliFixture *fixture, gconstpointer data)
+{
+    static const char bars[] =
+        "{\"tinker\": 1, \"blocks\": [{\"type\": \"gravity\"},"
+        "{\"type\": \"support\", \"name\": \"Pivot\", \"position\": [0, 3], \"solid\": false},"
+        "{\"type\": \"bar\", \"name\": \"B1\", \"length\": 1.2, \"position\": [0.6, 3]},"
+        "{\"type\": \"bar\", \"name\": \"B2\", \"length\": 1, \"position\": [1.7, 3], \"orientation\": \"180 deg\"},"
+        "{\"type\": \"pin\", \"ends\": [\"Pivot\", {\"block\": \"B1\", \"at\": [-0.6, 0]}]},"
+        "{\"type\": \"pin\", \"ends\": [{\"block\": \"B1\", \"at\": [0.6, 0]}, {\"block\": \"B2\", \"at\": [0.5, "
+        "0]}]}]}";
+    static const char masses[] =
+        "{\"tinker\": 1, \"blocks\": [{\"type\": \"gravity\"},"
+        "{\"type\": \"support\", \"name\": \"Pivot\", \"position\": [0, 3], \"solid\": false},"
+        "{\"type\": \"mass\", \"name\": \"M1\", \"position\": [1, 3]}, {\"type\": \"mass\", \"name\": \"M2\", "
+        "\"position\": [2, 3]},"
+        "{\"type\": \"rod\", \"name\": \"R1\", \"ends\": [\"Pivot\", \"M1\"]}, {\"type\": \"rod\", \"name\": \"R2\", "
+        "\"ends\": [\"M1\", \"M2\"]}]}";
+    static const char *const of_bars[] = {
+        "(m₁ a₁² + m₂ l₁² + I₁) θ̈₁ + m₂ l₁ a₂ cos(θ₁ − θ₂) θ̈₂ + m₂ l₁ a₂ sin(θ₁ − θ₂) θ̇₂² + (m₁ a₁ + m₂ l₁) g sin(θ₁) "
+        "= 0\n",
+        " m₂ l₁ a₂ cos(θ₁ − θ₂) θ̈₁ − m₂ l₁ a₂ sin(θ₁ − θ₂) θ̇₁² + (m₂ a₂² + I₂) θ̈₂ + m₂ g a₂ sin(θ₂) = 0\n",
+        "l₁ = ax_1,1 − ax_0,2 ",
+        "l₁ = 1.2 m\n",
+        "a₂ = ax_1,2 ",
+        "a₂ = 0.5 m\n",
+        NULL};
+    static const char *const of_masses[] = {
+        "(m₁ + m₂) l₁² θ̈₁ + m₂ l₁ l₂ cos(θ₁ − θ₂) θ̈₂ + m₂ l₁ l₂ sin(θ₁ − θ₂) θ̇₂² + (m₁ + m₂) g l₁ sin(θ₁) = 0\n", NULL};
+    g_autofree char *first = cli_write(fixture, "scene.json", bars);
+    assert_page_holds(fixture, "equations @scene.json --form angles", of_bars);
+    g_autofree char *second = cli_write(fixture, "scene.json", masses);
+    assert_page_holds(fixture, "equations @scene.json --form angles", of_masses);
 }
 
 static void assert_all_written(const cJSON *root)
@@ -249,7 +286,7 @@ static void test_turned_support(CliFixture *fixture, gconstpointer data)
                   "{\"type\": \"mass\", \"name\": \"Bob\", \"position\": [1, -2]},"
                   "{\"type\": \"damper\", \"ends\": [{\"block\": \"Beam\", \"at\": [1, 0]}, \"Bob\"]}]}");
     static const char *const lines[] = {
-        "φ̇ = A ω cos(ω t)", "((x − ax₀ cos(φ)) (ẋ + φ̇ ax₀ sin(φ)) + (y − ax₀ sin(φ)) (ẏ − φ̇ ax₀ cos(φ))) / L", NULL};
+        "φ̇ = A ω cos(ω t)", "((x − ax₁ cos(φ)) (ẋ + φ̇ ax₁ sin(φ)) + (y − ax₁ sin(φ)) (ẏ − φ̇ ax₁ cos(φ))) / L", NULL};
     cJSON *root = parsed(fixture, "equations @scene.json --as json");
     assert_all_written(root);
     cJSON_Delete(root);
@@ -457,6 +494,7 @@ int main(int argc, char **argv)
     g_test_init(&argc, &argv, NULL);
     cli_test_add("/cli/equations-turning/pendulum", test_pendulum);
     cli_test_add("/cli/equations-turning/angles", test_angles);
+    cli_test_add("/cli/equations-turning/double-pendulums", test_double_pendulums);
     cli_test_add("/cli/equations-turning/torque", test_torque);
     cli_test_add("/cli/equations-turning/long-chain", test_long_chain);
     cli_test_add("/cli/equations-turning/books", test_books);

@@ -234,7 +234,7 @@ static void test_words_of_equations(void)
                                            {"a constraint holds it", "eine Zwangsbedingung hält ihn"}};
     static const char *const properties[][2] = {{"rest_length", "Ungedehnte Länge"},
                                                 {"stiffness", "Steifigkeit"},
-                                                {"ends 0 at x", "x, wo sein Ende 0 ansetzt"}};
+                                                {"ends 0 at x", "x, wo sein Ende 1 ansetzt"}};
     for (gsize i = 0; i < G_N_ELEMENTS(words); i++)
         g_assert_cmpstr(tinker_page_words(words[i][0]), ==, words[i][1]);
     g_autoptr(GuiFixture) fixture = gui_fixture_new("{'type': 'mass'}, {'type': 'mass', 'position': [1, 0]}, {'type': "

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "law/build.h"
+#include "law/collect.h"
 #include "law/derivative.h"
 #include "law/dimension.h"
 #include "law/reduce.h"
@@ -224,6 +225,35 @@ static void test_lowest_terms(void)
     }
 }
 
+static gboolean is_of_angle(const TinkerExpression *factor, void *data)
+{
+    return tinker_expression_uses(factor, "x") || tinker_expression_uses(factor, "v");
+}
+
+/* x is an angle, v its rate. Textbooks' terms of a double pendulum, of bars, and of a pivot that is shaken by y. */
+static void test_collected(void)
+{
+    static const char *const pairs[][2] = {
+        {"m*k*L*sin(x) + y*k*L*sin(x)", "(m + y)*k*L*sin(x)"},
+        {"m*L^2*v + y*L^2*v + k*v", "((m + y)*L^2 + k)*v"},
+        {"m*y*sin(x) + k*L*y*sin(x) + k*m*y*sin(x)", "(m + k*(L + m))*y*sin(x)"},
+        {"m*k*L*sin(x) + m*y*L*sin(x)", "m*(k + y)*L*sin(x)"},
+        {"-(m*k*sin(x)) - m*y*sin(x) + t*sin(x)", "-(m*(k + y) - t)*sin(x)"},
+        {"m*L*sin(x) + m*L*cos(x)", "m*L*sin(x) + m*L*cos(x)"},
+        {"k*y + m*L + k*sin(x)", "k*y + m*L + k*sin(x)"},
+        {"m*L + m*y + k*y + t", "m*(L + y) + k*y + t"},
+        {"m*k*sin(x) + m*k*sin(x)", "2*m*k*sin(x)"},
+        {"m*L*v/k + y*v", "m*L*v/k + y*v"},
+    };
+    for (gsize i = 0; i < G_N_ELEMENTS(pairs); i++) {
+        g_autoptr(TinkerExpression) long_form = parse(pairs[i][0]), expected = parse(pairs[i][1]);
+        g_autoptr(TinkerExpression) shorter = tinker_expression_collected(long_form, is_of_angle, NULL);
+        g_autofree char *found = tinker_expression_typeset(shorter, TINKER_TYPESET_TEXT, look_of, NULL);
+        g_autofree char *wanted = tinker_expression_typeset(expected, TINKER_TYPESET_TEXT, look_of, NULL);
+        g_assert_cmpstr(found, ==, wanted);
+    }
+}
+
 /* Even powers have no sign below them. */
 static void test_even_powers(void)
 {
@@ -239,6 +269,7 @@ int main(int argc, char **argv)
     g_test_init(&argc, &argv, NULL);
     g_test_add_func("/law/lowest-terms", test_lowest_terms);
     g_test_add_func("/law/even-powers", test_even_powers);
+    g_test_add_func("/law/collected", test_collected);
     g_test_add_func("/law/derivatives", test_derivatives);
     g_test_add_func("/law/tidied", test_tidied);
     g_test_add_func("/law/values", test_values);

@@ -282,6 +282,7 @@ char *tinker_equations_angles_json(const TinkerEquations *equations, const Tinke
     add_symbols(root, equations);
     cJSON *definitions = cJSON_AddArrayToObject(root, "definitions");
     add_definitions(definitions, equations, equations->definitions);
+    add_definitions(definitions, equations, form->lengths);
     add_definitions(definitions, equations, form->definitions);
     return printed(root);
 }
