@@ -2,7 +2,9 @@
 #include "measure/formula.h"
 
 #include <math.h>
+#include <string.h>
 
+#include "law/build.h"
 #include "law/dimension.h"
 #include "law/value.h"
 #include "physics/record/columns.h"
@@ -11,8 +13,9 @@
 typedef struct {
     const char *symbol; /* interned */
     TinkerDimension dimension;
-    gint column;  /* of the record; -1: a property, */
-    double value; /* that has this value */
+    const char *units[2]; /* that it is shown in: SI, English */
+    gint column;          /* of the record; -1: a property, */
+    double value;         /* that has this value */
 } Name;
 
 struct _TinkerFormula {
@@ -42,6 +45,19 @@ static gboolean find_property(TinkerScene *scene, const TinkerReference *referen
     return TRUE;
 }
 
+/* As their block shows a quantity or a property. */
+static void find_units(TinkerScene *scene, const TinkerReference *reference, const char *units[2])
+{
+    if (reference->block == TINKER_NO_BLOCK) return;
+    const TinkerBlockClass *block_class = tinker_scene_block_class(scene, reference->block);
+    const char *id = NULL;
+    if (reference->quantity >= 0) id = tinker_scene_quantity_type(scene, reference->block, reference->quantity).id;
+    for (int32_t p = 0; reference->quantity < 0 && p < block_class->property_count; p++)
+        if (block_class->first_columns[p] <= reference->column) id = block_class->properties[p].id;
+    for (int english = 0; id != NULL && english < 2; english++)
+        units[english] = tinker_block_class_unit(block_class, id, reference->dimension, english);
+}
+
 TinkerFormula *tinker_formula_new(TinkerScene *scene, const char *text, GArray *columns, GError **error)
 {
     TinkerSceneExpression *read = tinker_scene_expression_new(scene, text, error);
@@ -51,7 +67,8 @@ TinkerFormula *tinker_formula_new(TinkerScene *scene, const char *text, GArray *
     formula->names = g_array_new(FALSE, FALSE, sizeof(Name));
     for (guint i = 0; i < read->references->len; i++) {
         const TinkerReference *reference = &g_array_index(read->references, TinkerReference, i);
-        Name name = {reference->symbol, reference->dimension, -1, NAN};
+        Name name = {reference->symbol, reference->dimension, {NULL, NULL}, -1, NAN};
+        find_units(scene, reference, name.units);
         if (reference->quantity >= 0)
             name.column = find_column(columns, scene, reference);
         else if (!find_property(scene, reference, &name.value, error))
@@ -141,6 +158,78 @@ gboolean tinker_formula_dimension(const TinkerFormula *formula, TinkerDimension 
     if (why != NULL)
         *why = reason != NULL ? g_steal_pointer(&reason) : g_strdup("its dimension is no whole power of kg, m and s");
     return FALSE;
+}
+
+typedef struct {
+    const TinkerFormula *formula;
+    int english;
+} UnitQuestion;
+
+static const char *unit_of(const TinkerExpression *node, const UnitQuestion *question);
+
+/* Of parts that all have the same; NULL. */
+static const char *common_unit(const TinkerExpression *node, int from, const UnitQuestion *question)
+{
+    const char *common = NULL;
+    for (int i = from; i < node->count; i++) {
+        if (tinker_expression_is_number(node->parts[i], 0)) continue; /* which has any */
+        const char *unit = unit_of(node->parts[i], question);
+        if (unit == NULL || (common != NULL && strcmp(unit, common) != 0)) return NULL;
+        common = unit;
+    }
+    return common;
+}
+
+static gboolean is_plain(const TinkerExpression *node)
+{
+    gboolean plain = node->kind != TINKER_EXPRESSION_SYMBOL;
+    for (int i = 0; plain && i < node->count; i++)
+        plain = is_plain(node->parts[i]);
+    return plain;
+}
+
+/* Of a product with plain numbers, or what is divided by one. */
+static const char *unit_of_product(const TinkerExpression *node, const UnitQuestion *question)
+{
+    const TinkerExpression *only = NULL;
+    for (int i = 0; i < node->count; i++) {
+        if (is_plain(node->parts[i])) continue;
+        if (only != NULL || (i > 0 && node->kind == TINKER_EXPRESSION_QUOTIENT)) return NULL;
+        only = node->parts[i];
+    }
+    return only != NULL ? unit_of(only, question) : NULL;
+}
+
+static const char *unit_of(const TinkerExpression *node, const UnitQuestion *question)
+{
+    static const char *const keep[] = {"abs", "ramp", "min", "max", NULL};
+    const Name *name;
+    switch (node->kind) {
+    case TINKER_EXPRESSION_SYMBOL:
+        name = find_name(question->formula, node->name);
+        return name != NULL ? name->units[question->english] : NULL;
+    case TINKER_EXPRESSION_NEGATIVE:
+    case TINKER_EXPRESSION_SUM:
+        return common_unit(node, 0, question);
+    case TINKER_EXPRESSION_PRODUCT:
+    case TINKER_EXPRESSION_QUOTIENT:
+        return unit_of_product(node, question);
+    case TINKER_EXPRESSION_FUNCTION:
+        if (strcmp(node->name, "if") == 0) return common_unit(node, 1, question);
+        return g_strv_contains(keep, node->name) ? common_unit(node, 0, question) : NULL;
+    default:
+        return NULL;
+    }
+}
+
+const char *tinker_formula_unit(const TinkerFormula *formula, TinkerUnitSystem system)
+{
+    static const TinkerDimension of_both = TINKER_DIMENSION_ENERGY;
+    const UnitQuestion question = {formula, system == TINKER_UNIT_SYSTEM_ENGLISH ? 1 : 0};
+    TinkerDimension dimension;
+    if (!tinker_formula_dimension(formula, &dimension, NULL) || !tinker_dimension_equal(dimension, of_both))
+        return NULL;
+    return unit_of(formula->read->tree, &question);
 }
 
 gboolean tinker_formula_is_comparison(const TinkerFormula *formula)

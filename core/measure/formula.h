@@ -23,6 +23,11 @@ double tinker_formula_band(const TinkerFormula *formula, double t, const double 
  * may be NULL). */
 gboolean tinker_formula_dimension(const TinkerFormula *formula, TinkerDimension *dimension, char **why);
 
+/* Of a torque or an energy, which have one dimension: the unit that its quantities are shown in, of one alone, of sums
+ * of such, and of their products with plain numbers. NULL for all else, as a force times a length: then it is that of
+ * the dimension. Static. */
+const char *tinker_formula_unit(const TinkerFormula *formula, TinkerUnitSystem system);
+
 /* Whether it is a comparison, whose value is 1 where it holds. */
 gboolean tinker_formula_is_comparison(const TinkerFormula *formula);
 

@@ -81,6 +81,31 @@ static void test_band(void)
     physics_assert_near("band", tinker_formula_band(formula, 7, row, bands), 4e-6 + 6e-6, 1e-14);
 }
 
+/* A torque and an energy have one dimension: what a formula is made of tells which it is, where it does. */
+static void test_torques(void)
+{
+    static const char blocks[] =
+        "{\"type\": \"support\", \"name\": \"Axle\", \"solid\": false},"
+        "{\"type\": \"disc\", \"name\": \"A\", \"solid\": false},"
+        "{\"type\": \"torque\", \"name\": \"M\", \"ends\": [\"A\", \"Axle\"], \"amplitude\": 7}";
+    static const char *const units[][2] = {
+        {"{M.torque}", "N·m"},
+        {"-2*{M.torque}/3", "N·m"},
+        {"{M.torque} + abs({M.amplitude})", "N·m"},
+        {"{A.kinetic energy}", "J"},
+        {"if({A.angle} < 1, {M.torque}, 0)", "N·m"},
+        {"{M.torque} + {A.kinetic energy}", NULL},
+        {"{M.torque}*{A.angle}", NULL},
+        {"{A.mass}*9.81*{A.x}/{A.x}", NULL},
+    };
+    g_autoptr(TinkerScene) scene = physics_scene(NULL, blocks);
+    for (gsize i = 0; i < G_N_ELEMENTS(units); i++) {
+        g_autoptr(GArray) columns = tinker_columns_new();
+        g_autoptr(TinkerFormula) formula = formula_of(scene, columns, units[i][0]);
+        g_assert_cmpstr(tinker_formula_unit(formula, TINKER_UNIT_SYSTEM_SI), ==, units[i][1]);
+    }
+}
+
 static void test_mistakes(void)
 {
     const struct {
@@ -107,6 +132,7 @@ static void add_tests(void)
     g_test_add_func("/measure/formula/values", test_values);
     g_test_add_func("/measure/formula/dimensions", test_dimensions);
     g_test_add_func("/measure/formula/band", test_band);
+    g_test_add_func("/measure/formula/torques", test_torques);
     g_test_add_func("/measure/formula/mistakes", test_mistakes);
 }
 

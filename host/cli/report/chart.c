@@ -75,8 +75,10 @@ static gboolean add_formula(TinkerChart *chart, const char *text, const TinkerSc
     }
     gboolean known = tinker_formula_dimension(curve.formula, &dimension, NULL);
     curve.name = g_strdup(as != NULL && as->title != NULL ? as->title : text);
-    curve.axis =
-        tinker_graph_axis_of_value(chart->scene, curve.name, known ? &dimension : NULL, as != NULL ? as->unit : NULL);
+    const char *unit = as != NULL && as->unit != NULL
+                           ? as->unit
+                           : tinker_formula_unit(curve.formula, tinker_scene_head(chart->scene)->units);
+    curve.axis = tinker_graph_axis_of_value(chart->scene, curve.name, known ? &dimension : NULL, unit);
     g_array_append_val(chart->curves, curve);
     return TRUE;
 }

@@ -71,7 +71,10 @@ static void find_formula(TinkerGraphSeries *series, TinkerScene *scene, const Ti
     series->symbol = g_strdup(title);
     series->formula = tinker_formula_new(scene, curve->expression, columns, &error);
     const gboolean known = series->formula != NULL && tinker_formula_dimension(series->formula, &dimension, NULL);
-    series->y_axis = tinker_graph_axis_of_value(scene, title, known ? &dimension : NULL, curve->unit);
+    const char *unit = curve->unit == NULL && known
+                           ? tinker_formula_unit(series->formula, tinker_scene_head(scene)->units)
+                           : curve->unit;
+    series->y_axis = tinker_graph_axis_of_value(scene, title, known ? &dimension : NULL, unit);
     if (series->formula == NULL) series->fault = g_strdup(error->message);
     for (guint i = 0; series->formula != NULL && i < columns->len; i++) {
         const TinkerColumn *column = &g_array_index(columns, TinkerColumn, i);
