@@ -1,4 +1,5 @@
 /* Headings and equations: aligned lines in a terminal, an align environment, a table of MathML. */
+#include <glib/gi18n-lib.h>
 #include <math.h>
 #include <string.h>
 
@@ -13,7 +14,7 @@ static const char latex_head[] =
     "\\usepackage{amsmath,graphicx}\n\\usepackage[margin=20mm,landscape]{geometry}\n"
     "\\allowdisplaybreaks\n\\begin{document}\n";
 static const char html_head[] =
-    "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>%s</title>\n<style>\n"
+    "<!DOCTYPE html>\n<html lang=\"%s\">\n<head>\n<meta charset=\"utf-8\">\n<title>%s</title>\n<style>\n"
     ":root { color-scheme: light dark; }\nbody { font-family: sans-serif; margin: 2em auto; max-width: 60em; }\n"
     "div.rows { overflow-x: auto; }\ntd { padding: 0.25em 0.4em; vertical-align: middle; }\n"
     "td:first-child { text-align: right; white-space: nowrap; }\n</style>\n</head>\n<body>\n<h1>%s</h1>\n";
@@ -50,7 +51,7 @@ void tinker_page_begin(TinkerPage *page, TinkerTypesetFormat format, const Tinke
     if (format == TINKER_TYPESET_LATEX)
         g_string_append_printf(page->text, "%s\\section*{%s}\n", latex_head, safe);
     else if (format == TINKER_TYPESET_MATHML)
-        g_string_append_printf(page->text, html_head, safe, safe);
+        g_string_append_printf(page->text, html_head, C_("language of the page", "en"), safe, safe);
     else
         g_string_append_printf(page->text, "%s\n", safe);
 }

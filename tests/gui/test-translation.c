@@ -240,6 +240,10 @@ static void test_words_of_equations(void)
     g_autoptr(GuiFixture) fixture = gui_fixture_new("{'type': 'mass'}, {'type': 'mass', 'position': [1, 0]}, {'type': "
                                                     "'spring', 'name': 'Spring 0', 'ends': ['Mass 0', 'Mass 1']}");
     const TinkerEquations equations = {.scene = tinker_document_scene(fixture->document)};
+    TinkerPage page;
+    tinker_page_begin(&page, TINKER_TYPESET_MATHML, &equations, "Feder");
+    g_autofree char *html = tinker_page_end(&page);
+    g_assert_nonnull(strstr(html, "<html lang=\"de\">"));
     for (gsize i = 0; i < G_N_ELEMENTS(properties); i++) {
         const TinkerEquationSymbol symbol = {.block = gui_fixture_block(fixture, "Spring 0"),
                                              .property = (char *)properties[i][0]};
