@@ -177,13 +177,6 @@ static void write_all(TinkerEquationWriter *writer)
     tinker_equations_bound_roundings(writer->equations);
 }
 
-static void sampled_free(gpointer data)
-{
-    TinkerSampledSymbol *sampled = data;
-    g_free(sampled->stem);
-    g_free(sampled);
-}
-
 TinkerEquations *tinker_equations_new(TinkerScene *scene, const TinkerModelState *state, GError **error)
 {
     g_autoptr(TinkerFrame) start = tinker_frame_new(scene, error), frame = tinker_frame_new(scene, NULL);
@@ -216,7 +209,7 @@ TinkerEquations *tinker_equations_new(TinkerScene *scene, const TinkerModelState
         .points = tinker_writer_points_new(),
         .body_of = g_hash_table_new(NULL, NULL),
         .places = g_hash_table_new_full(g_str_hash, g_str_equal, g_free, NULL),
-        .sampled = g_hash_table_new_full(g_str_hash, g_str_equal, NULL, sampled_free),
+        .sampled = g_hash_table_new_full(g_str_hash, g_str_equal, NULL, g_free),
         .slopes = g_array_new(FALSE, FALSE, sizeof(TinkerRowSlope)),
     };
     write_all(&writer);

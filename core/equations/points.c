@@ -5,6 +5,8 @@
 #include "equations/writer-private.h"
 #include "law/build.h"
 
+#include <tinker/kernels.h>
+
 void tinker_point_symbols_clear(TinkerPointSymbols *point)
 {
     g_clear_pointer(&point->x, tinker_expression_unref);
@@ -57,28 +59,41 @@ static gboolean add_motion(TinkerEquationWriter *writer, TinkerBlockId motion, T
     return known;
 }
 
-/* How all its motions move a support, and one of those that nobody knows the law of; -1. */
-static void moves_of(TinkerEquationWriter *writer, TinkerBlockId support, TinkerExpression *moved[MOVES],
-                     TinkerBlockId *unknown)
+/* What all its motions together do, of which one does not tell its law: numbers, whose derivatives are numbers. */
+static void move_by_numbers(TinkerEquationWriter *writer, TinkerBlockId support, TinkerBlockId motion,
+                            TinkerExpression *moved[MOVES])
 {
-    *unknown = -1;
+    static const char *const means[MOVES] = {"displacement in x", "displacement in y", "turned by"};
+    const TinkerPlace *place = tinker_frame_motion(writer->frame, support);
+    if (place == NULL) return;
+    const TinkerSampledSymbol samples[MOVES] = {
+        {.stem = "ux", .values = {place->x, place->vx, place->ax}, .dimension = tinker_length_dimension},
+        {.stem = "uy", .values = {place->y, place->vy, place->ay}, .dimension = tinker_length_dimension},
+        {.stem = "uφ",
+         .values = {place->angle, place->rate, place->angular_acceleration},
+         .dimension = tinker_angle_dimension}};
+    for (int k = 0; k < (place->turns ? MOVES : TURNED); k++) {
+        TinkerSampledSymbol sample = samples[k];
+        sample.block = motion;
+        sample.why = "its plugin states no law";
+        tinker_expression_unref(moved[k]);
+        moved[k] = tinker_writer_sampled(writer, &sample, means[k]);
+    }
+}
+
+/* How all its motions move a support. */
+static void moves_of(TinkerEquationWriter *writer, TinkerBlockId support, TinkerExpression *moved[MOVES])
+{
+    TinkerBlockId unknown = TINKER_NO_BLOCK;
     for (int32_t i = 0; i < tinker_scene_block_count(writer->scene); i++) {
         const TinkerBlockId block = tinker_scene_block_at(writer->scene, i);
         const TinkerBlockClass *block_class = tinker_scene_block_class(writer->scene, block);
         if (block_class == NULL || tinker_law_role(block_class) != TINKER_LAW_MOTION ||
             tinker_scene_end(writer->scene, block, 0).block != support)
             continue;
-        if (!add_motion(writer, block, moved)) *unknown = block;
+        if (!add_motion(writer, block, moved)) unknown = block;
     }
-}
-
-/* A support that moves as nobody says: its place is a number. */
-static TinkerExpression *unknown_place(TinkerEquationWriter *writer, TinkerBlockId support, TinkerBlockId motion,
-                                       const char *stem, double value)
-{
-    const char *name = tinker_writer_name(writer, support, stem, 0, NULL);
-    tinker_writer_note_unwritten(writer, motion, name, "its plugin states no law");
-    return tinker_writer_symbol(writer, name, support, value, tinker_length_dimension, NULL, stem);
+    if (unknown != TINKER_NO_BLOCK) move_by_numbers(writer, support, unknown, moved);
 }
 
 static gboolean is_typed(const TinkerEquationWriter *writer, const TinkerExpression *expression)
@@ -122,17 +137,8 @@ static const TinkerPointSymbols *centre_of(TinkerEquationWriter *writer, TinkerB
     TinkerExpression *moved_by[MOVES], *place[2], *rate[2];
     for (int k = 0; k < MOVES; k++)
         moved_by[k] = tinker_expression_number(0);
-    TinkerBlockId unknown;
-    double at[2], orientation;
-    moves_of(writer, support, moved_by, &unknown);
-    tinker_frame_centre(writer->frame, support, &at[0], &at[1], &orientation);
+    moves_of(writer, support, moved_by);
     for (int axis = 0; axis < 2; axis++) {
-        if (unknown >= 0) {
-            place[axis] = unknown_place(writer, support, unknown, stems[axis], at[axis]);
-            rate[axis] = tinker_expression_number(0);
-            tinker_expression_unref(moved_by[axis]);
-            continue;
-        }
         const gboolean moved = !tinker_expression_is_number(moved_by[axis], 0);
         TinkerExpression *start =
             tinker_writer_meaning(writer, support, TINKER_MEANING_POSITION, axis, moved ? placed[axis] : stems[axis]);
@@ -164,14 +170,26 @@ static TinkerExpression *offset(TinkerEquationWriter *writer, TinkerBlockId conn
     return tinker_writer_symbol(writer, name, connector, value, tinker_length_dimension, key, NULL);
 }
 
+/* cos, or sin, of an angle: a number where that is exact and the angle is given, as of a support upside down. */
+static TinkerExpression *component_of(const TinkerEquationWriter *writer, const TinkerExpression *angle, gboolean sine)
+{
+    const TinkerEquationSymbol *given =
+        angle->kind == TINKER_EXPRESSION_SYMBOL ? tinker_equations_symbol(writer->equations, angle->name) : NULL;
+    double direction[2] = {NAN, NAN};
+    if (given != NULL && given->property != NULL) tinker_direction(given->value, direction);
+    const gboolean exact = direction[0] == 0 || direction[1] == 0;
+    return exact ? tinker_expression_number(direction[sine])
+                 : tinker_expression_call(sine ? "sin" : "cos", tinker_expression_ref(angle));
+}
+
 /* The offset (a, b) turned by an angle. Uses a and b up; fills both components (transfer full). */
-static void turn_offset(const TinkerExpression *angle, TinkerExpression *a, TinkerExpression *b,
-                        TinkerExpression *turned[2])
+static void turn_offset(const TinkerEquationWriter *writer, const TinkerExpression *angle, TinkerExpression *a,
+                        TinkerExpression *b, TinkerExpression *turned[2])
 {
     TinkerExpression *c[2], *s[2];
     for (int i = 0; i < 2; i++) {
-        c[i] = tinker_expression_call("cos", tinker_expression_ref(angle));
-        s[i] = tinker_expression_call("sin", tinker_expression_ref(angle));
+        c[i] = component_of(writer, angle, FALSE);
+        s[i] = component_of(writer, angle, TRUE);
     }
     TinkerExpression *a_again = tinker_expression_ref(a), *b_again = tinker_expression_ref(b);
     turned[0] = tinker_expression_minus(tinker_expression_times(a, c[0]), tinker_expression_times(b, s[0]));
@@ -204,7 +222,8 @@ static void add_arm(TinkerEquationWriter *writer, TinkerPointSymbols *point, Tin
     TinkerExpression *arm[2], **const places[] = {&point->x, &point->y}, **const rates[] = {&point->vx, &point->vy};
     point->local_x = offset(writer, connector, number, end, TRUE);
     point->local_y = offset(writer, connector, number, end, FALSE);
-    turn_offset(point->angle, tinker_expression_ref(point->local_x), tinker_expression_ref(point->local_y), arm);
+    turn_offset(writer, point->angle, tinker_expression_ref(point->local_x), tinker_expression_ref(point->local_y),
+                arm);
     for (int axis = 0; axis < 2; axis++)
         arm[axis] = define_of_end(writer, connector, index, "r", 0, axis, "arm from the centre of mass", arm[axis]);
     for (int axis = 0; axis < 2; axis++) {
@@ -239,7 +258,7 @@ void tinker_writer_end(TinkerEquationWriter *writer, TinkerBlockId connector, in
     point_copy(point, centre_of(writer, end.block));
     if (end.x == 0 && end.y == 0) return;
     TinkerExpression *turned[2];
-    turn_offset(point->angle, offset(writer, connector, number, &end, TRUE),
+    turn_offset(writer, point->angle, offset(writer, connector, number, &end, TRUE),
                 offset(writer, connector, number, &end, FALSE), turned);
     TinkerExpression *across[2];
     for (int axis = 0; axis < 2; axis++)

@@ -104,28 +104,25 @@ static TinkerExpression *velocity_of(const TinkerEquationWriter *writer, const c
     return g_hash_table_contains(writer->equations->values, velocity) ? tinker_expression_symbol(velocity) : NULL;
 }
 
-/* What only a table knows. */
-static TinkerExpression *table_symbol(TinkerEquationWriter *writer, const TinkerSampledSymbol *is,
-                                      const TinkerFrame *frame, const char *means)
+/* With a value and no more. */
+static TinkerExpression *valued_symbol(TinkerEquationWriter *writer, const TinkerSampledSymbol *is, const char *means)
 {
     const char *name = tinker_writer_name(writer, is->block, is->stem, is->dots, NULL);
-    tinker_writer_note_unwritten(writer, is->block, name, "its waveform is a table");
-    return tinker_writer_symbol(writer, name, is->block, tinker_frame_column(frame, is->block, is->column + is->dots),
-                                is->dimension, NULL, means);
+    tinker_writer_note_unwritten(writer, is->block, name, is->why);
+    return tinker_writer_symbol(writer, name, is->block, is->values[is->dots], is->dimension, NULL, means);
 }
 
-/* A symbol of a table, or of a derivative of it, with its value now. */
-static TinkerExpression *sampled_symbol(TinkerEquationWriter *writer, const TinkerSampledSymbol *is, const char *means)
+TinkerExpression *tinker_writer_sampled(TinkerEquationWriter *writer, const TinkerSampledSymbol *is, const char *means)
 {
-    TinkerExpression *symbol = table_symbol(writer, is, writer->frame, means);
+    TinkerExpression *symbol = valued_symbol(writer, is, means);
     TinkerSampledSymbol *kept = g_memdup2(is, sizeof *is);
-    kept->stem = g_strdup(is->stem);
+    kept->stem = g_intern_string(is->stem);
     kept->rate = NULL;
     g_hash_table_insert(writer->sampled, (void *)g_intern_string(symbol->name), kept);
     return symbol;
 }
 
-/* The derivative by time of what a table says; NULL: the symbol is of none. */
+/* The derivative by time of what is known by values; NULL: the symbol is of none. */
 static TinkerExpression *sampled_rate(TinkerEquationWriter *writer, const char *symbol)
 {
     TinkerSampledSymbol *known = g_hash_table_lookup(writer->sampled, symbol);
@@ -134,7 +131,7 @@ static TinkerExpression *sampled_rate(TinkerEquationWriter *writer, const char *
     TinkerSampledSymbol next = *known;
     next.dots++;
     next.dimension.time--;
-    TinkerExpression *rate = sampled_symbol(writer, &next, next.dots == 1 ? "its velocity" : "its acceleration");
+    TinkerExpression *rate = tinker_writer_sampled(writer, &next, next.dots == 1 ? "its velocity" : "its acceleration");
     known->rate = g_intern_string(rate->name);
     return rate;
 }
@@ -238,10 +235,13 @@ static TinkerExpression *waveform(TinkerEquationWriter *writer, const TinkerLawU
     if (kind == TINKER_WAVEFORM_NONE) return tinker_expression_number(0);
     g_autofree char *stem = symbol->at_start ? g_strconcat(type->symbol, "0", NULL) : g_strdup(symbol->name);
     if (kind == TINKER_WAVEFORM_TABLE) {
-        const TinkerSampledSymbol sampled = {
-            .block = block, .stem = stem, .column = symbol->column, .dimension = symbol->dimension};
-        return symbol->at_start ? table_symbol(writer, &sampled, writer->start, type->description)
-                                : sampled_symbol(writer, &sampled, type->description);
+        TinkerSampledSymbol sampled = {
+            .block = block, .stem = stem, .dimension = symbol->dimension, .why = "its waveform is a table"};
+        for (int dots = 0; dots < 3; dots++)
+            sampled.values[dots] =
+                tinker_frame_column(symbol->at_start ? writer->start : writer->frame, block, symbol->column + dots);
+        return symbol->at_start ? valued_symbol(writer, &sampled, type->description)
+                                : tinker_writer_sampled(writer, &sampled, type->description);
     }
     TinkerExpression *is;
     if (kind == TINKER_WAVEFORM_EXPRESSION) {

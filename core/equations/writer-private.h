@@ -27,13 +27,15 @@ typedef struct {
     double extent;       /* m: how far from the origin bodies are */
 } TinkerEquationWriter;
 
-/* A function of time that only its table knows: it and its first derivatives are symbols with values. */
+/* A function of time that only its table knows, or a plugin that does not tell: it and its first derivatives are
+ * symbols with values. */
 typedef struct {
     TinkerBlockId block;
-    char *stem;
-    int32_t column; /* of its value; those of its derivatives follow */
-    int dots;       /* derivatives that this symbol stands for */
+    const char *stem; /* static, or interned */
+    double values[3]; /* its own, and those of its derivatives */
+    int dots;         /* derivatives that this symbol stands for */
     TinkerDimension dimension;
+    const char *why;  /* it is not written */
     const char *rate; /* name of its derivative; NULL: nothing has asked for it yet */
 } TinkerSampledSymbol;
 
@@ -88,6 +90,9 @@ void tinker_equations_set_rounding(TinkerEquations *equations, const char *name,
 
 /* Works out how exact definitions and unknown forces are, when all is written. */
 void tinker_equations_bound_roundings(TinkerEquations *equations);
+
+/* A new symbol of what is known by values alone, of which rates are taken; `means` is static. (transfer full) */
+TinkerExpression *tinker_writer_sampled(TinkerEquationWriter *writer, const TinkerSampledSymbol *is, const char *means);
 
 /* The property that carries a meaning. */
 TinkerExpression *tinker_writer_meaning(TinkerEquationWriter *writer, TinkerBlockId block, int32_t meaning,

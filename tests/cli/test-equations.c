@@ -254,6 +254,26 @@ static void test_rounding(CliFixture *fixture, gconstpointer data)
     }
 }
 
+/* A support that a plugin moves round a circle of 0.4 m at 2 rad/s and does not tell how: its velocity is a number like
+ * its place, not 0, and the pull of a damper is the run's. */
+static void test_motion_without_law(CliFixture *fixture, gconstpointer data)
+{
+    g_autofree char *scene =
+        cli_write(fixture, "scene.json",
+                  "{\"tinker\": 1, \"blocks\": [{\"type\": \"support\", \"name\": \"S\", \"solid\": false},"
+                  "{\"type\": \"mass\", \"name\": \"A\", \"position\": [0, -1]},"
+                  "{\"type\": \"damper\", \"ends\": [\"S\", \"A\"], \"damping\": 5},"
+                  "{\"type\": \"orbit\", \"ends\": [\"S\"], \"radius\": 0.4, \"rate\": 2}]}");
+    g_autofree char *plugins = g_test_build_filename(G_TEST_BUILT, "physics", "plugins", NULL);
+    g_autofree char *command = g_strdup_printf("equations @scene.json --at 0 --plugins %s", plugins);
+    g_autoptr(TestProgram) page = cli_run_well(fixture, command);
+    g_autofree char *found = g_utf8_normalize(page->output, -1, G_NORMALIZE_DEFAULT_COMPOSE);
+    g_autofree char *rate = g_utf8_normalize("uẏ = 0.8 m/s", -1, G_NORMALIZE_DEFAULT_COMPOSE);
+    cli_assert_holds(found, rate);
+    cli_assert_holds(found, "T = 4 N\n");
+    cli_assert_holds(found, "not written: Orbit 0 (its plugin states no law)");
+}
+
 static void test_formats(CliFixture *fixture, gconstpointer data)
 {
     g_autofree char *scene = cli_write(fixture, "scene.json", HANGING);
@@ -262,6 +282,7 @@ static void test_formats(CliFixture *fixture, gconstpointer data)
     cli_assert_holds(latex->output, "{T} &= {k}\\,\\left({L}-{L}_{0}\\right)");
     cli_assert_holds(latex->output, "\\end{document}");
     cli_assert_holds(mathml->output, "<mfrac>");
+    cli_assert_holds(mathml->output, "<html lang=\"en\">");
     cli_assert_holds(mathml->output, "</html>");
 }
 
@@ -288,6 +309,7 @@ int main(int argc, char **argv)
     cli_test_add("/cli/equations/table-forces", test_table_forces);
     cli_test_add("/cli/equations/table-pivot", test_table_pivot);
     cli_test_add("/cli/equations/rounding", test_rounding);
+    cli_test_add("/cli/equations/motion-without-law", test_motion_without_law);
     cli_test_add("/cli/equations/formats", test_formats);
     cli_test_add("/cli/equations/refused", test_refused);
     return g_test_run();

@@ -314,6 +314,11 @@ void tinker_frame_centre(const TinkerFrame *frame, TinkerBlockId block, double *
     }
 }
 
+const TinkerPlace *tinker_frame_motion(const TinkerFrame *frame, TinkerBlockId block)
+{
+    return tinker_motions_moves(frame->motions, block) ? tinker_motions_place(frame->motions, block) : NULL;
+}
+
 void tinker_frame_to_own(const TinkerFrame *frame, TinkerBlockId block, const double place[2], double own[2])
 {
     double x, y, orientation;

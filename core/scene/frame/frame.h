@@ -6,6 +6,7 @@
 #ifndef TINKER_CORE_FRAME_H
 #define TINKER_CORE_FRAME_H
 
+#include "scene/frame/motions.h"
 #include "scene/store/scene.h"
 
 #include <tinker/instance.h>
@@ -37,6 +38,9 @@ void tinker_frame_note_paths(TinkerFrame *frame);
 
 /* Where a block's centre is; NAN for a block that has neither place nor ends. */
 void tinker_frame_centre(const TinkerFrame *frame, TinkerBlockId block, double *x, double *y, double *orientation);
+
+/* How motions move a block now; NULL where none does. Borrowed until the next time is set. */
+const TinkerPlace *tinker_frame_motion(const TinkerFrame *frame, TinkerBlockId block);
 
 /* A place of the world in the block's own axes, from its centre, and back. */
 void tinker_frame_to_own(const TinkerFrame *frame, TinkerBlockId block, const double place[2], double own[2]);
