@@ -219,6 +219,26 @@ static void test_response_without_quantity(CliFixture *fixture, gconstpointer da
                      "--response: column \"Mass 0\": the quantity is missing, as in \"Mass 0.x\" (it has x, y, ");
 }
 
+/* A pendulum on a cart that gains 3 m/s each second: it stands still in the modes, and that is told. */
+static void test_held(CliFixture *fixture, gconstpointer data)
+{
+    g_autofree char *scene = cli_write(
+        fixture, "cart.json",
+        "{\"tinker\": 1, \"blocks\": [{\"type\": \"gravity\"},"
+        " {\"type\": \"support\", \"name\": \"Cart\", \"solid\": false},"
+        " {\"type\": \"mass\", \"position\": [0, -1]},"
+        " {\"type\": \"rod\", \"ends\": [\"Cart\", \"Mass 0\"]},"
+        " {\"type\": \"support-motion\", \"ends\": [\"Cart\"], \"waveform\": {\"expression\": \"2*t + 1.5*t^2\"}}]}\n");
+    g_autoptr(TestProgram) program = cli_run_well(fixture, "modes @cart.json --json @cart-modes.json");
+    cli_assert_holds(program->output, "assumed:             Cart is held still where it is at t = 0; its motion there, "
+                                      "2 m/s, 3 m/s^2, is left out\n");
+    g_autofree char *text = cli_read(fixture, "cart-modes.json");
+    cJSON *root = cJSON_Parse(text), *held = cJSON_GetArrayItem(cJSON_GetObjectItem(root, "held"), 0);
+    g_assert_cmpstr(cJSON_GetObjectItem(held, "block")->valuestring, ==, "Cart");
+    g_assert_cmpfloat(cJSON_GetArrayItem(cJSON_GetObjectItem(held, "acceleration"), 0)->valuedouble, ==, 3);
+    cJSON_Delete(root);
+}
+
 int main(int argc, char **argv)
 {
     g_test_init(&argc, &argv, NULL);
@@ -232,5 +252,6 @@ int main(int argc, char **argv)
     cli_test_add("/cli/modes/one-place", test_one_place);
     cli_test_add("/cli/modes/refusals", test_refusals);
     cli_test_add("/cli/modes/forcing-is-no-load", test_forcing_is_no_load);
+    cli_test_add("/cli/modes/held", test_held);
     return g_test_run();
 }

@@ -61,6 +61,26 @@ static void add_contacts(cJSON *root, const TinkerModeReport *report)
     }
 }
 
+/* Supports that move, with what is left out of their motion at the start. */
+static void add_held(cJSON *root, const TinkerModeReport *report)
+{
+    cJSON *array = cJSON_AddArrayToObject(root, "held");
+    g_autoptr(TinkerFrame) start = tinker_frame_new(report->scene, NULL);
+    for (int32_t i = 0; start != NULL && i < tinker_scene_block_count(report->scene); i++) {
+        const TinkerBlockId block = tinker_scene_block_at(report->scene, i);
+        const TinkerPlace *place = tinker_frame_motion(start, block);
+        if (place == NULL) continue;
+        cJSON *object = cJSON_CreateObject();
+        cJSON_AddStringToObject(object, "block", tinker_scene_block_name(report->scene, block));
+        cJSON_AddItemToObject(object, "velocity", cJSON_CreateDoubleArray((const double[]){place->vx, place->vy}, 2));
+        cJSON_AddItemToObject(object, "acceleration",
+                              cJSON_CreateDoubleArray((const double[]){place->ax, place->ay}, 2));
+        add_number(object, "rate", place->rate);
+        add_number(object, "angular_acceleration", place->angular_acceleration);
+        cJSON_AddItemToArray(array, object);
+    }
+}
+
 static void add_shape(cJSON *object, const TinkerModeReport *report, const TinkerMode *mode)
 {
     cJSON *shape = cJSON_AddArrayToObject(object, "shape");
@@ -143,6 +163,7 @@ void tinker_mode_report_write_json(const TinkerModeReport *report, FILE *file)
     cJSON *root = cJSON_CreateObject();
     add_state(root, report);
     add_contacts(root, report);
+    add_held(root, report);
     add_modes(root, report);
     add_response(root, report);
     cJSON *warnings = cJSON_AddArrayToObject(root, "warnings");

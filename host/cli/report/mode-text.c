@@ -62,14 +62,39 @@ static void write_contact(const TinkerModeReport *report, const TinkerStillConta
     }
 }
 
-/* What small motions are taken to leave as it is. */
+/* A support that moves, and how it does at the start. */
+static void write_held(const char *name, const TinkerPlace *place, FILE *file)
+{
+    g_autofree char *turning =
+        place->turns ? g_strdup_printf("%.6g rad/s, %.6g rad/s^2", place->rate, place->angular_acceleration) : NULL;
+    const gboolean moves = hypot(place->vx, place->vy) > 0 || hypot(place->ax, place->ay) > 0;
+    g_autofree char *moving = moves || turning == NULL
+                                  ? g_strdup_printf("%.6g m/s, %.6g m/s^2%s", hypot(place->vx, place->vy),
+                                                    hypot(place->ax, place->ay), turning != NULL ? ", " : "")
+                                  : g_strdup("");
+    tinker_print_line(file, "%s is held still where it is at t = 0; its motion there, %s%s, is left out", name, moving,
+                      turning != NULL ? turning : "");
+}
+
+/* What small motions are taken to leave as it is, and what is held still. */
 static void write_assumed(const TinkerModeReport *report, FILE *file)
 {
-    if (report->analysis->contacts == NULL) return;
-    g_autoptr(GArray) contacts = tinker_still_contacts_list(report->analysis->contacts);
-    for (guint i = 0; i < contacts->len; i++) {
-        fprintf(file, "%-21s", i == 0 ? "assumed:" : "");
+    const char *head = "assumed:";
+    g_autoptr(GArray) contacts =
+        report->analysis->contacts != NULL ? tinker_still_contacts_list(report->analysis->contacts) : NULL;
+    for (guint i = 0; contacts != NULL && i < contacts->len; i++) {
+        fprintf(file, "%-21s", head);
         write_contact(report, &g_array_index(contacts, TinkerStillContact, i), file);
+        head = "";
+    }
+    g_autoptr(TinkerFrame) start = tinker_frame_new(report->scene, NULL);
+    for (int32_t i = 0; start != NULL && i < tinker_scene_block_count(report->scene); i++) {
+        const TinkerBlockId block = tinker_scene_block_at(report->scene, i);
+        const TinkerPlace *place = tinker_frame_motion(start, block);
+        if (place == NULL) continue;
+        fprintf(file, "%-21s", head);
+        write_held(tinker_scene_block_name(report->scene, block), place, file);
+        head = "";
     }
 }
 
