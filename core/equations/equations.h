@@ -53,6 +53,7 @@ typedef struct {
     TinkerExpression *is;
     gboolean typed;  /* by the user, in plain SI numbers */
     gboolean energy; /* in J: all else of this dimension is a torque */
+    int32_t span;    /* of a rope: the distance from its end of this number, from 1 on, to the next; 0: it is none */
     double value;    /* at the time of the state */
 } TinkerEquationDefinition;
 

@@ -134,17 +134,35 @@ void tinker_law_use_set_ends(TinkerEquationWriter *writer, TinkerLawUse *use, co
     }
 }
 
+static TinkerExpression *distance_of(const TinkerPointSymbols *a, const TinkerPointSymbols *b)
+{
+    TinkerExpression *dx = tinker_expression_minus(copy(b->x), copy(a->x)),
+                     *dy = tinker_expression_minus(copy(b->y), copy(a->y));
+    return tinker_expression_call("sqrt",
+                                  tinker_expression_plus(tinker_expression_squared(dx), tinker_expression_squared(dy)));
+}
+
+/* A part of a rope, from its end of this number to the next. Takes its length over. */
+static TinkerExpression *define_span(TinkerEquationWriter *writer, TinkerBlockId block, int32_t number,
+                                     TinkerExpression *length)
+{
+    const char *of_block = tinker_writer_index(writer, block);
+    g_autofree char *index = g_strdup_printf("%s%s%d", of_block, of_block[0] != '\0' ? "," : "", number);
+    g_autofree char *means = g_strdup_printf("distance from its end %d to its end %d", number, number + 1);
+    const char *name = tinker_writer_indexed_name(writer, block, "L", index, 0, NULL);
+    const guint before = writer->equations->definitions->len;
+    TinkerExpression *symbol = tinker_writer_define(writer, name, block, tinker_length_dimension, means, length, FALSE);
+    ((TinkerEquationDefinition *)g_ptr_array_index(writer->equations->definitions, before))->span = number;
+    return symbol;
+}
+
 TinkerExpression *tinker_writer_length(TinkerEquationWriter *writer, TinkerBlockId block,
                                        const TinkerPointSymbols *points, int32_t count)
 {
     TinkerExpression *sum = tinker_expression_number(0);
     for (int32_t i = 1; i < count; i++) {
-        const TinkerPointSymbols *a = &points[i - 1], *b = &points[i];
-        TinkerExpression *dx = tinker_expression_minus(copy(b->x), copy(a->x)),
-                         *dy = tinker_expression_minus(copy(b->y), copy(a->y));
-        sum = tinker_expression_plus(
-            sum, tinker_expression_call(
-                     "sqrt", tinker_expression_plus(tinker_expression_squared(dx), tinker_expression_squared(dy))));
+        TinkerExpression *distance = distance_of(&points[i - 1], &points[i]);
+        sum = tinker_expression_plus(sum, count == 2 ? distance : define_span(writer, block, i, distance));
     }
     const char *name = tinker_writer_name(writer, block, "L", 0, NULL);
     return tinker_writer_define(writer, name, block, tinker_length_dimension,

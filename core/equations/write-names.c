@@ -27,6 +27,23 @@ static void close_over_definitions(const TinkerEquations *equations, GHashTable 
     }
 }
 
+/* Whose it is, and what it means. (transfer full) */
+static char *comment_of(const TinkerEquations *equations, const TinkerEquationDefinition *definition)
+{
+    const char *block = name_of(equations, definition->block);
+    if (definition->span > 0) {
+        const char *ends[2];
+        for (int32_t k = 0; k < 2; k++)
+            ends[k] = name_of(equations,
+                              tinker_scene_end(equations->scene, definition->block, definition->span - 1 + k).block);
+        return g_strdup_printf(C_("equations", "%s: span %d, from %s to %s"), block, definition->span, ends[0],
+                               ends[1]);
+    }
+    const char *means = tinker_page_words(definition->means != NULL ? definition->means : "a step of its law");
+    return definition->typed ? g_strdup_printf(C_("equations", "%s: %s, in SI"), block, means)
+                             : g_strdup_printf("%s: %s", block, means);
+}
+
 static void write_laws(TinkerPage *page, GHashTable *needed)
 {
     const TinkerEquations *equations = page->equations;
@@ -37,10 +54,7 @@ static void write_laws(TinkerPage *page, GHashTable *needed)
         if (first) tinker_page_heading(page, C_("equations", "with"));
         first = FALSE;
         page->about = definition->block;
-        const char *means = tinker_page_words(definition->means != NULL ? definition->means : "a step of its law");
-        char *comment = definition->typed ? g_strdup_printf(C_("equations", "%s: %s, in SI"),
-                                                            name_of(equations, definition->block), means)
-                                          : g_strdup_printf("%s: %s", name_of(equations, definition->block), means);
+        char *comment = comment_of(equations, definition);
         tinker_page_equation(page, tinker_page_symbol(page, definition->name),
                              tinker_page_expression(page, definition->is), comment);
     }

@@ -171,6 +171,32 @@ static void test_double_pendulums(CliFixture *fixture, gconstpointer data)
     assert_page_holds(fixture, "equations @scene.json --form angles", of_masses);
 }
 
+/* A rope from a load to a place on a beam that hangs upside down, to another and to a second load: each part of it has
+ * a name, and what is known of a beam upside down is not left as sin and cos. */
+static void test_spans(CliFixture *fixture, gconstpointer data)
+{
+    g_autofree char *scene =
+        cli_write(fixture, "scene.json",
+                  "{\"tinker\": 1, \"blocks\": [{\"type\": \"gravity\"},"
+                  "{\"type\": \"support\", \"name\": \"Beam\", \"position\": [0, 3], \"orientation\": \"180 deg\", "
+                  "\"solid\": false},"
+                  "{\"type\": \"mass\", \"name\": \"M1\", \"position\": [-1, 0]}, {\"type\": \"mass\", \"name\": "
+                  "\"M2\", \"position\": [1, 0]},"
+                  "{\"type\": \"rope\", \"name\": \"Rope\", \"ends\": [\"M1\", {\"block\": \"Beam\", \"at\": [1, 0]},"
+                  "{\"block\": \"Beam\", \"at\": [-1, 0]}, \"M2\"]}]}");
+    static const char *const lines[] = {"L = L₁ + L₂ + L₃ ",
+                                        "L₁ = √((−ax₂ − x₁)² + (Y − y₁)²) ",
+                                        "Rope: span 1, from M1 to Beam\n",
+                                        "Rope: span 3, from Beam to M2\n",
+                                        "L₃ = 3 m\n",
+                                        NULL};
+    assert_page_holds(fixture, "equations @scene.json", lines);
+    cJSON *root = parsed(fixture, "equations @scene.json --as json");
+    const double expected = 9.81;
+    assert_near(symbol_of(root, "λ"), -expected, 1e-12);
+    cJSON_Delete(root);
+}
+
 static void assert_all_written(const cJSON *root)
 {
     g_assert_cmpint(cJSON_GetArraySize(cJSON_GetObjectItem(root, "not_written")), ==, 0);
@@ -500,6 +526,7 @@ int main(int argc, char **argv)
     cli_test_add("/cli/equations-turning/books", test_books);
     cli_test_add("/cli/equations-turning/redundant", test_redundant);
     cli_test_add("/cli/equations-turning/rope", test_rope);
+    cli_test_add("/cli/equations-turning/spans", test_spans);
     cli_test_add("/cli/equations-turning/gears", test_gears);
     cli_test_add("/cli/equations-turning/drive", test_drive);
     cli_test_add("/cli/equations-turning/welded-beam", test_welded_beam);
