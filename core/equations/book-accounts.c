@@ -4,6 +4,10 @@
 
 #include "equations/book-keeper-private.h"
 
+/* Of the moments by themselves: what is left of them is rounding. What turns wheels against each other, as a gear, has
+ * its counterpart in their bearings, and does not cancel between them. */
+#define CANCELS 1e-10
+
 static TinkerBookBody *body_at(const TinkerBookKeeper *keeper, guint number)
 {
     return &g_array_index(keeper->bodies, TinkerBookBody, number);
@@ -108,8 +112,9 @@ void tinker_book_conclude(TinkerBookKeeper *keeper)
     g_array_set_size(books->entries, 0);
     for (int32_t i = 0; i < tinker_scene_block_count(keeper->scene); i++) {
         const TinkerBlockId block = tinker_scene_block_at(keeper->scene, i);
-        const TinkerBookAccount *account = &g_array_index(keeper->accounts, TinkerBookAccount, block);
+        TinkerBookAccount *account = &g_array_index(keeper->accounts, TinkerBookAccount, block);
         if (account->entry.by != block) continue;
+        if (fabs(account->entry.angular) > CANCELS * account->angular) account->entry.inner = FALSE;
         g_array_append_val(books->entries, account->entry);
         sums[0] += account->work;
         sums[1] += account->impulse;

@@ -225,6 +225,15 @@ static void test_gears(CliFixture *fixture, gconstpointer data)
     assert_near(symbol_of(root, "λ_4"), -i * alpha * (inertia[1] + k * k * inertia[2]), 1e-12);
     assert_near(symbol_of(root, "λ_5"), -i * k * alpha * inertia[2], 1e-12);
     cJSON_Delete(root);
+    /* the wheels' bearings carry what gears do to them together: it is on no other wheel */
+    root = parsed(fixture, "books @scene.json --block A --block B --block C --to 2 --as json");
+    const cJSON *angular = cJSON_GetObjectItem(root, "angular");
+    const double scale = cJSON_GetObjectItem(angular, "scale")->valuedouble;
+    assert_near(cJSON_GetArrayItem(cJSON_GetObjectItem(angular, "angular_momentum"), 1)->valuedouble,
+                (inertia[0] - i * inertia[1] - i * k * inertia[2]) * alpha * 2, 1e-9 * scale);
+    assert_near(cJSON_GetObjectItem(angular, "residual")->valuedouble, 0, 1e-9 * scale);
+    g_assert_nonnull(cJSON_GetObjectItem(cJSON_GetObjectItem(angular, "impulses"), "Outer"));
+    cJSON_Delete(root);
     static const char *const lines[] = {"0 = θ₂ − θ0_4,2 + i₄ (θ₁ − θ0_4,1) ", "0 = θ₃ − θ0_5,2 − i₅ (θ₂ − θ0_5,1) ",
                                         "+ w   Outer + Motor", NULL};
     assert_page_holds(fixture, "equations @scene.json", lines);

@@ -1,4 +1,7 @@
 /* Three accounts, one below the other: what there was, what each force gave, what there is, and what is left over. */
+#include <float.h>
+#include <math.h>
+
 #include "books-picture.h"
 #include "cli/report/books-report.h"
 #include "cli/report/text-table.h"
@@ -10,17 +13,21 @@ static const TinkerBookEntry *entry_at(const TinkerBooks *books, guint number)
     return &g_array_index(books->entries, TinkerBookEntry, number);
 }
 
-static void add_number(TinkerTextTable *table, double value)
+/* A sum over an interval is rounded as often as there are terms, of which this is a part. */
+#define ROUNDING (64 * DBL_EPSILON)
+
+/* 0 where it is no more than the rounding of what was moved. */
+static void add_number(TinkerTextTable *table, double value, double scale)
 {
-    g_autofree char *text = g_strdup_printf("%.6g", value);
+    g_autofree char *text = g_strdup_printf("%.6g", fabs(value) <= ROUNDING * scale ? 0 : value);
     tinker_text_table_add(table, text);
 }
 
-static void add_row(TinkerTextTable *table, const char *label, const double *values, int count)
+static void add_row(TinkerTextTable *table, const char *label, const double *values, const double *scales, int count)
 {
     tinker_text_table_add(table, label);
     for (int i = 0; i < count; i++)
-        add_number(table, values[i]);
+        add_number(table, values[i], scales[i]);
 }
 
 static void heading(FILE *file, const char *text)
@@ -38,12 +45,14 @@ static void write_residual(FILE *file, const TinkerBookBalance *balance, const c
 static void write_newton(const TinkerBooks *books, TinkerScene *scene, FILE *file)
 {
     g_autoptr(TinkerTextTable) table = tinker_text_table_new("lrr", 2);
+    const double scales[] = {books->newton.scale, books->newton.scale};
     g_autofree char *title = g_strdup_printf("Newton, at t = %g s (N)", books->to);
     heading(file, title);
     for (guint i = 0; i < books->entries->len; i++)
         if (!entry_at(books, i)->inner)
-            add_row(table, tinker_scene_block_name(scene, entry_at(books, i)->by), entry_at(books, i)->force, 2);
-    add_row(table, "= m a", books->rate, 2);
+            add_row(table, tinker_scene_block_name(scene, entry_at(books, i)->by), entry_at(books, i)->force, scales,
+                    2);
+    add_row(table, "= m a", books->rate, scales, 2);
     tinker_text_table_write(table, file);
     write_residual(file, &books->newton, "N");
 }
@@ -52,10 +61,11 @@ static void write_energy(const TinkerBooks *books, TinkerScene *scene, FILE *fil
 {
     g_autoptr(TinkerTextTable) table = tinker_text_table_new("lr", 2);
     heading(file, "Work and energy (J)");
-    add_row(table, "kinetic energy before", &books->kinetic[0], 1);
+    add_row(table, "kinetic energy before", &books->kinetic[0], &books->energy.scale, 1);
     for (guint i = 0; i < books->entries->len; i++)
-        add_row(table, tinker_scene_block_name(scene, entry_at(books, i)->by), &entry_at(books, i)->work, 1);
-    add_row(table, "= kinetic energy after", &books->kinetic[1], 1);
+        add_row(table, tinker_scene_block_name(scene, entry_at(books, i)->by), &entry_at(books, i)->work,
+                &books->energy.scale, 1);
+    add_row(table, "= kinetic energy after", &books->kinetic[1], &books->energy.scale, 1);
     tinker_text_table_write(table, file);
     write_residual(file, &books->energy, "J");
 }
@@ -66,15 +76,16 @@ static void write_momentum(const TinkerBooks *books, TinkerScene *scene, FILE *f
     g_autofree char *about = tinker_books_about(books, scene);
     g_autofree char *title = g_strdup_printf("Impulse and momentum (N s in x and y; N m s about %s)", about);
     heading(file, title);
+    const double scales[] = {books->impulse.scale, books->impulse.scale, books->moment.scale};
     const double before[] = {books->momentum[0][0], books->momentum[0][1], books->angular[0]};
     const double after[] = {books->momentum[1][0], books->momentum[1][1], books->angular[1]};
-    add_row(table, "momentum before", before, 3);
+    add_row(table, "momentum before", before, scales, 3);
     for (guint i = 0; i < books->entries->len; i++) {
         const TinkerBookEntry *entry = entry_at(books, i);
         const double values[] = {entry->impulse[0], entry->impulse[1], entry->angular};
-        if (!entry->inner) add_row(table, tinker_scene_block_name(scene, entry->by), values, 3);
+        if (!entry->inner) add_row(table, tinker_scene_block_name(scene, entry->by), values, scales, 3);
     }
-    add_row(table, "= momentum after", after, 3);
+    add_row(table, "= momentum after", after, scales, 3);
     tinker_text_table_write(table, file);
     write_residual(file, &books->impulse, "N s");
     write_residual(file, &books->moment, "N m s");
