@@ -90,7 +90,8 @@ static void add_turn(TinkerModel *model, const TinkerBlockBatch *batch, int32_t 
     const int32_t number = model->turning++, coordinate = 2 * model->bodies + number;
     const double gyration = sqrt(inertia / model->mass[body]);
     model->turn_of[body] = number;
-    model->turns[number] = (TinkerTurn){.body = body, .gyration = gyration, .by_gyration = 1 / gyration, .cosine = 1};
+    model->turns[number] =
+        (TinkerTurn){.body = body, .gyration = gyration, .by_gyration = 1 / gyration, .place = NAN, .cosine = 1};
     model->coordinate_mass[coordinate] = model->mass[body];
     model->q_start[coordinate] = gyration * tinker_block_batch_meaning(batch, row, TINKER_MEANING_ORIENTATION, 0, 0.0);
     model->v_start[coordinate] =
@@ -187,6 +188,19 @@ static int compare_attached(const void *left, const void *right)
     return (l->point.turn != 0) - (r->point.turn != 0);
 }
 
+/* Tells each body that turns which attachments it has. */
+static void share_attachments(TinkerModel *model)
+{
+    int32_t point = model->first_attachment;
+    for (int32_t k = 0; k < model->turning; k++) {
+        TinkerTurn *turn = &model->turns[k];
+        turn->first_attachment = point;
+        while (point < model->first_support && tinker_model_attachment(model, point)->body == turn->body)
+            point++;
+        turn->end_attachment = point;
+    }
+}
+
 /* Attachments to one body stand together, so that its angle is looked at once; its turn is one for all ends. */
 static void attach_to_bodies(TinkerModel *model)
 {
@@ -220,6 +234,7 @@ static void attach_to_bodies(TinkerModel *model)
         *at->end = model->points - 1;
     }
     model->first_support = model->points;
+    share_attachments(model);
 }
 
 /* A point of a support: its place, with the support unmoved. */

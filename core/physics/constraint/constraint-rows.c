@@ -133,16 +133,16 @@ static inline TinkerStatus evaluate_distances(TinkerModel *model, const TinkerCo
     return refuse_rows(model, part, TINKER_OK);
 }
 
-/* What an end on a body that turns adds to the two rows of ends that coincide: their columns of the turn, `turned[0]`
- * and `turned[1]`, and their drift. */
-static inline void turn_coincident(const TinkerModel *model, int32_t point, double sign, double *turned[2],
+/* What an end on a body that turns adds to the two rows of ends that coincide: their entries in the column of the turn,
+ * and their drift. */
+static inline void turn_coincident(const TinkerModel *model, int32_t point, double sign, double column[2],
                                    double drift[2])
 {
     const TinkerAttachment *at = tinker_model_attachment(model, point);
     const TinkerTurn *turn = &model->turns[model->turn_of[at->body]];
     const double square = turn->rate * turn->rate, arm[2] = {sign * at->arm[0], sign * at->arm[1]};
-    *turned[0]++ = -arm[1] * turn->by_gyration;
-    *turned[1]++ = arm[0] * turn->by_gyration;
+    column[0] = -arm[1] * turn->by_gyration;
+    column[1] = arm[0] * turn->by_gyration;
     drift[0] -= square * arm[0];
     drift[1] -= square * arm[1];
 }
@@ -154,20 +154,26 @@ static inline void find_gap(const TinkerModel *model, const int32_t ends[2], dou
     gap[1] = b->y - a->y;
 }
 
-/* Rows whose ends coincide, with their columns of turns. */
+/* Rows whose ends coincide, with their columns of turns: of both rows of a block the same ones, row by row. */
 static TinkerStatus evaluate_coincident(TinkerModel *model, const TinkerConstraintBatch *part)
 {
     static const double jacobian[8] = {-1, 0, 1, 0, 0, -1, 0, 1};
     TinkerConstraints *all = &model->constraints;
-    double *columns = all->jacobian + 2 * all->entries, most = all->miss, sum = 0;
+    double *turned = all->jacobian + 2 * all->entries + tinker_row_turns(all, part->first_row);
+    double most = all->miss, sum = 0;
     for (int32_t i = 0, row = part->first_row; i < part->batch->count; i++, row += 2) {
         const int32_t *ends = part->end_points + 2 * i;
-        double gap[2], drift[2] = {0, 0},
-                       *turned[2] = {columns + tinker_row_turns(all, row), columns + tinker_row_turns(all, row + 1)};
+        double gap[2], drift[2] = {0, 0}, column[2][2];
+        int turns = 0;
         find_gap(model, ends, gap);
         for (int k = 0; k < 2; k++)
             if (ends[k] >= model->first_attachment && ends[k] < model->first_support)
-                turn_coincident(model, ends[k], k == 0 ? -1 : 1, turned, drift);
+                turn_coincident(model, ends[k], k == 0 ? -1 : 1, column[turns++], drift);
+        for (int k = 0; k < turns; k++) {
+            turned[k] = column[k][0];
+            turned[turns + k] = column[k][1];
+        }
+        turned += 2 * turns;
         memcpy(all->jacobian + 2 * part->first_entry + 8 * i, jacobian, sizeof(jacobian));
         memcpy(all->g + row, gap, sizeof(gap));
         memcpy(all->drift + row, drift, sizeof(drift));
@@ -229,6 +235,7 @@ TinkerStatus tinker_constraints_evaluate(TinkerModel *model)
 {
     TinkerConstraints *all = &model->constraints;
     turn_jacobians(all);
+    model->turned = TRUE;
     all->miss = 0;
     for (guint i = 0; i < all->batches->len; i++) {
         TinkerConstraintBatch *part = &g_array_index(all->batches, TinkerConstraintBatch, i);
@@ -244,6 +251,7 @@ TinkerStatus tinker_constraints_evaluate(TinkerModel *model)
         if (all->turn_count > 0) turn_rows(model, all->first_straight, all->rows);
     }
     if (G_UNLIKELY(all->unilateral != NULL)) tinker_constraints_hide_slack(all);
+    model->turned = FALSE;
     return TINKER_OK;
 }
 

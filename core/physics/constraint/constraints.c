@@ -270,12 +270,12 @@ static gboolean factor_chains(TinkerConstraints *all, const TinkerRowDemand *dem
     return tinker_pin_chains_factor(all->pin_chains, all->jacobian, TINKER_DEPENDENT, demand);
 }
 
-static void substitute_chains(TinkerConstraints *all, const TinkerRowDemand *demand)
+static void substitute_chains(TinkerConstraints *all, const TinkerRowDemand *demand, gboolean of_factor)
 {
     if (all->chains != NULL)
         tinker_row_chains_substitute(all->chains, all->jacobian, demand);
     else
-        tinker_pin_chains_substitute(all->pin_chains, all->jacobian, demand);
+        tinker_pin_chains_substitute(all->pin_chains, all->jacobian, of_factor, demand);
 }
 
 static void finish_chains(TinkerConstraints *all, double *x, double *target, gboolean fresh)
@@ -292,8 +292,9 @@ static void finish_chains(TinkerConstraints *all, double *x, double *target, gbo
 static gboolean solve_chains(TinkerConstraints *all, const TinkerRowDemand *demand, gboolean roughly)
 {
     if ((all->chains == NULL && all->pin_chains == NULL) || all->redundant > 0) return FALSE;
-    if (all->factored && ((roughly && !all->shifted) || is_factored(all))) {
-        if (!all->shifted) substitute_chains(all, demand);
+    const gboolean any = roughly && all->factored && !all->shifted, of_factor = !any && is_factored(all);
+    if (any || of_factor) {
+        if (!all->shifted) substitute_chains(all, demand, of_factor);
         return !all->shifted;
     }
     all->factored = all->keeps_factored = TRUE;
@@ -339,6 +340,7 @@ void tinker_constraints_end_look(TinkerModel *model)
     all->factored = all->kept.factored;
     all->keeps_factored = all->kept.keeps_factored;
     all->shifted = all->kept.shifted;
+    model->turned = TRUE;
 }
 
 double tinker_constraints_solve(TinkerModel *model, double *b)

@@ -45,6 +45,7 @@ struct _TinkerPinChains {
     Chain *chains;
     Place *places; /* blocks in the order along their chain */
     Solved *solved;
+    gboolean of_factor; /* the parts are those of the Jacobian that was factored */
 };
 
 /* Finding them ----------------------------------------------------------------------------------------------------- */
@@ -274,6 +275,7 @@ gboolean tinker_pin_chains_factor(TinkerPinChains *self, const double *jacobian,
                                   const TinkerRowDemand *demand)
 {
     gboolean fine = TRUE;
+    self->of_factor = TRUE;
     for (int32_t k = 0; k < self->count; k++) {
         const Chain *chain = &self->chains[k];
         fine &= factor_chain(self->places + chain->first, self->solved + chain->first, chain->count, jacobian,
@@ -283,14 +285,23 @@ gboolean tinker_pin_chains_factor(TinkerPinChains *self, const double *jacobian,
 }
 
 /* What a demand is of are the rows evaluated last, which may not be those of the factor. */
-void tinker_pin_chains_substitute(TinkerPinChains *self, const double *jacobian, const TinkerRowDemand *demand)
+static void take_parts(TinkerPinChains *self, const double *jacobian)
 {
+    for (int32_t k = 0; k < self->count; k++)
+        for (int32_t i = self->chains[k].first; i < self->chains[k].first + self->chains[k].count; i++)
+            for (int side = 0; side < 2; side++)
+                take_part(&self->places[i].side[side], jacobian, self->solved[i].part[side]);
+}
+
+void tinker_pin_chains_substitute(TinkerPinChains *self, const double *jacobian, gboolean of_factor,
+                                  const TinkerRowDemand *demand)
+{
+    if (!of_factor || !self->of_factor) take_parts(self, jacobian);
+    self->of_factor = of_factor;
     for (int32_t k = 0; k < self->count; k++) {
         const Chain *chain = &self->chains[k];
         for (int32_t i = chain->first; i < chain->first + chain->count; i++) {
             Solved *solved = &self->solved[i];
-            take_part(&self->places[i].side[0], jacobian, solved->part[0]);
-            take_part(&self->places[i].side[1], jacobian, solved->part[1]);
             demand_of(&self->places[i], solved, demand, solved->known);
             if (i > chain->first) pass_on(solved - 1, solved->known);
         }

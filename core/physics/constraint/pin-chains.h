@@ -13,10 +13,11 @@ TinkerPinChains *tinker_pin_chains_new(const TinkerModel *model);
 void tinker_pin_chains_free(TinkerPinChains *chains);
 
 /* As their namesakes of row-chains.h have it. A demand's `u` are accelerations or velocities by coordinate, 2 apart for
- * points. */
+ * points. `of_factor`: the Jacobian is to the bit the one that was factored. */
 gboolean tinker_pin_chains_factor(TinkerPinChains *chains, const double *jacobian, double threshold,
                                   const TinkerRowDemand *demand);
-void tinker_pin_chains_substitute(TinkerPinChains *chains, const double *jacobian, const TinkerRowDemand *demand);
+void tinker_pin_chains_substitute(TinkerPinChains *chains, const double *jacobian, gboolean of_factor,
+                                  const TinkerRowDemand *demand);
 void tinker_pin_chains_finish(TinkerPinChains *chains, double *x, double *target, gboolean fresh);
 
 #endif

@@ -206,6 +206,15 @@ TinkerStatus tinker_constraints_project_velocities(TinkerModel *model, double t,
     return status;
 }
 
+/* The Jacobian at a place, where a step begins: of ends that coincide it follows from the angles alone, and is still
+ * that of the step before where no body has turned since. */
+static TinkerStatus find_directions(TinkerModel *model, gboolean gaps, const double *q, const double *v)
+{
+    if (!gaps) return evaluate_at(model, q, v);
+    tinker_model_set_places(model, q);
+    return model->turned ? tinker_constraints_evaluate(model) : TINKER_OK;
+}
+
 /* g at a place: where that can be had alone, without the rest. */
 static TinkerStatus find_misses(TinkerModel *model, gboolean gaps, const double *q, const double *v)
 {
@@ -220,10 +229,10 @@ TinkerStatus tinker_constraints_rattle(TinkerModel *model, double t_from, const 
                                        double *q, double *v)
 {
     TinkerConstraints *all = &model->constraints;
-    TinkerStatus status = tinker_model_set_time(model, t_from);
-    if (status == TINKER_OK) status = evaluate_at(model, q_from, v);
-    if (status != TINKER_OK) return status;
     const gboolean gaps = tinker_constraints_are_gaps(model);
+    TinkerStatus status = tinker_model_set_time(model, t_from);
+    if (status == TINKER_OK) status = find_directions(model, gaps, q_from, v);
+    if (status != TINKER_OK) return status;
     if (!gaps) memcpy(all->turned, all->jacobian, all->jacobian_size * sizeof(double));
     double *displacement = all->displacement;
     double before = INFINITY;

@@ -55,8 +55,10 @@ typedef struct {
     double by_gyration;  /* 1/m: its reciprocal */
     double speed;        /* m/s: along its coordinate, now */
     double rate;         /* rad/s: speed / gyration */
+    double place;        /* m: along its coordinate, now; not a number as long as nobody has set it */
     double angle;        /* rad, counting turns: now */
     double cosine, sine; /* of it */
+    int32_t first_attachment, end_attachment; /* the points of what is attached to the body */
 } TinkerTurn;
 
 /* Linear laws between the same two points, merged:
@@ -244,6 +246,7 @@ struct _TinkerModel {
     gboolean has_book[TINKER_BOOK_COUNT];
 
     /* working state */
+    gboolean turned;            /* some body, since the constraints were evaluated */
     TinkerPoint *point;         /* with point_acceleration and point_used behind it */
     double *point_acceleration; /* 2 per point; of supports kept up to date, of bodies by whoever needs it */
     double *force;              /* 2 per point, and behind them 2 per slot of the line parts */

@@ -91,53 +91,55 @@ TinkerStatus tinker_model_change_time(TinkerModel *model, double t)
 
 static void set_turn_rates(TinkerModel *model, const double *v)
 {
-    TinkerTurn *restrict turns = model->turns;
     TinkerPoint *restrict points = model->point;
     const TinkerAttachment *at = (const TinkerAttachment *)(const void *)model->attachments->data;
     for (int32_t k = 0; k < model->turning; k++) {
-        turns[k].speed = v[2 * model->bodies + k];
-        turns[k].rate = turns[k].speed * turns[k].by_gyration;
-    }
-    for (int32_t point = model->first_attachment; point < model->first_support; point++, at++) {
-        const TinkerPoint *centre = &points[at->body];
-        const double rate = turns[model->turn_of[at->body]].rate;
-        if (at->turn) {
-            points[point].vx = rate;
-            continue;
+        TinkerTurn *turn = &model->turns[k];
+        const TinkerPoint centre = points[turn->body];
+        const double rate = turn->rate = v[2 * model->bodies + k] * turn->by_gyration;
+        turn->speed = v[2 * model->bodies + k];
+        for (int32_t point = turn->first_attachment; point < turn->end_attachment; point++, at++) {
+            points[point].vx = at->turn ? rate : centre.vx - rate * at->arm[1];
+            if (!at->turn) points[point].vy = centre.vy + rate * at->arm[0];
         }
-        points[point].vx = centre->vx - rate * at->arm[1];
-        points[point].vy = centre->vy + rate * at->arm[0];
     }
 }
 
-/* Many states stand at one place, between the stages of a step and its projections: sine and cosine are kept. */
-static inline void set_angle(TinkerTurn *turn, double angle)
+/* Many states stand at one place, between the stages of a step and its projections: sine, cosine and arms are kept.
+ * Answers whether they are others now. */
+static inline gboolean set_angle(TinkerTurn *turn, double place)
 {
-    if (turn->angle == angle) return;
-    turn->angle = angle;
-    turn->cosine = cos(angle);
-    turn->sine = sin(angle);
+    if (turn->place == place) return FALSE;
+    turn->place = place;
+    turn->angle = place / turn->gyration;
+    turn->cosine = cos(turn->angle);
+    turn->sine = sin(turn->angle);
+    return TRUE;
+}
+
+static inline void turn_arm(TinkerAttachment *at, const TinkerTurn *turn)
+{
+    at->arm[0] = turn->cosine * at->x - turn->sine * at->y;
+    at->arm[1] = turn->sine * at->x + turn->cosine * at->y;
 }
 
 void tinker_model_set_angles(TinkerModel *model, const double *q)
 {
-    TinkerTurn *restrict turns = model->turns;
     TinkerPoint *restrict points = model->point;
     TinkerAttachment *at = (TinkerAttachment *)(void *)model->attachments->data;
-    for (int32_t k = 0; k < model->turning; k++)
-        set_angle(&turns[k], q[2 * model->bodies + k] / turns[k].gyration);
-    for (int32_t point = model->first_attachment; point < model->first_support; point++, at++) {
-        const TinkerPoint *centre = &points[at->body];
-        const TinkerTurn *turn = &turns[model->turn_of[at->body]];
-        if (at->turn) {
-            points[point].x = turn->angle;
-            continue;
+    gboolean any = FALSE;
+    for (int32_t k = 0; k < model->turning; k++) {
+        TinkerTurn *turn = &model->turns[k];
+        const gboolean turned = set_angle(turn, q[2 * model->bodies + k]);
+        any |= turned;
+        const double x = points[turn->body].x, y = points[turn->body].y;
+        for (int32_t point = turn->first_attachment; point < turn->end_attachment; point++, at++) {
+            if (turned && !at->turn) turn_arm(at, turn);
+            points[point].x = at->turn ? turn->angle : x + at->arm[0];
+            if (!at->turn) points[point].y = y + at->arm[1];
         }
-        at->arm[0] = turn->cosine * at->x - turn->sine * at->y;
-        at->arm[1] = turn->sine * at->x + turn->cosine * at->y;
-        points[point].x = centre->x + at->arm[0];
-        points[point].y = centre->y + at->arm[1];
     }
+    model->turned |= any;
 }
 
 void tinker_model_set_turns(TinkerModel *model, const double *q, const double *v)
@@ -166,19 +168,20 @@ void tinker_model_accelerate_attachments(TinkerModel *model)
 
 void tinker_model_reduce_forces(TinkerModel *model)
 {
-    for (int32_t point = model->first_attachment; point < model->first_support; point++) {
-        const TinkerAttachment *at = tinker_model_attachment(model, point);
-        const int32_t number = model->turn_of[at->body];
-        const double *f = model->force + 2 * point;
-        double *on_body = model->force + 2 * at->body;
-        if (at->turn) {
-            model->force[2 * model->bodies + number] += f[0] / model->turns[number].gyration;
-            continue;
+    const TinkerAttachment *at = (const TinkerAttachment *)(const void *)model->attachments->data;
+    for (int32_t k = 0; k < model->turning; k++) {
+        const TinkerTurn *turn = &model->turns[k];
+        double *on_body = model->force + 2 * turn->body, *on_turn = model->force + 2 * model->bodies + k;
+        for (int32_t point = turn->first_attachment; point < turn->end_attachment; point++, at++) {
+            const double *f = model->force + 2 * point;
+            if (at->turn) {
+                *on_turn += f[0] / turn->gyration;
+                continue;
+            }
+            on_body[0] += f[0];
+            on_body[1] += f[1];
+            *on_turn += (at->arm[0] * f[1] - at->arm[1] * f[0]) / turn->gyration;
         }
-        on_body[0] += f[0];
-        on_body[1] += f[1];
-        model->force[2 * model->bodies + number] +=
-            (at->arm[0] * f[1] - at->arm[1] * f[0]) / model->turns[number].gyration;
     }
 }
 
