@@ -113,24 +113,38 @@ static void solve_tridiagonal(const TinkerBandedLdl *ldl, double *restrict x)
     if (middle > below) x[0] = x[0] * inverse[0] - lower[1] * first;
 }
 
+/* What the `count` rows before row i, at most w, and those behind it take off x_i. */
+static inline double behind(int32_t count, int32_t w, const double *restrict row, const double *restrict x)
+{
+    double sum = x[0];
+    for (int32_t m = count; m > 0; m--)
+        sum -= row[w - m] * x[-m];
+    return sum;
+}
+
+static inline double ahead(int32_t count, int32_t w, const double *restrict row, const double *restrict x)
+{
+    double sum = x[0];
+    for (int32_t m = count; m > 0; m--)
+        sum -= row[m * w + w - m] * x[m];
+    return sum;
+}
+
+/* Rows that have all their w neighbours are gone through with a number that the compiler may know. */
 static inline void solve_band(int32_t n, int32_t w, const double *restrict rows, const double *restrict inverse,
                               double *restrict x)
 {
-    for (int32_t i = 0; i < n; i++) {
-        const double *row = rows + (gsize)i * (gsize)w;
-        double sum = x[i];
-        for (int32_t k = MAX(0, w - i); k < w; k++)
-            sum -= row[k] * x[i - w + k];
-        x[i] = sum;
-    }
+    const int32_t edge = MIN(w, n);
+    for (int32_t i = 0; i < edge; i++)
+        x[i] = behind(i, w, rows + (gsize)i * (gsize)w, x + i);
+    for (int32_t i = edge; i < n; i++)
+        x[i] = behind(w, w, rows + (gsize)i * (gsize)w, x + i);
     for (int32_t i = 0; i < n; i++)
         x[i] *= inverse[i];
-    for (int32_t i = n - 1; i >= 0; i--) {
-        const double *row = rows + (gsize)i * (gsize)w;
-        double known = x[i];
-        for (int32_t k = MAX(0, w - i); k < w; k++)
-            x[i - w + k] -= row[k] * known;
-    }
+    for (int32_t i = n - 1; i >= n - edge; i--)
+        x[i] = ahead(n - 1 - i, w, rows + (gsize)i * (gsize)w, x + i);
+    for (int32_t i = n - edge - 1; i >= 0; i--)
+        x[i] = ahead(w, w, rows + (gsize)i * (gsize)w, x + i);
 }
 
 void tinker_banded_ldl_solve(const TinkerBandedLdl *ldl, double *b)
