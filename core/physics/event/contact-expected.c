@@ -105,15 +105,11 @@ static double arrival(const TinkerContactRun *self, const TinkerContactPair *pai
     return time > 0 && !tinker_contact_run_leaves(self, pair) ? time : INFINITY;
 }
 
-void tinker_contact_run_expect(TinkerContactRun *self)
+/* Apart, as it is asked behind events alone. */
+static G_NO_INLINE void expect_arrival(TinkerContactRun *self)
 {
     const TinkerIslandRun *run = self->run;
     double soonest = TINKER_SOON * self->usual;
-    self->expects = FALSE;
-    tinker_contact_run_forget_start(self);
-    if (!self->passed || !self->in_plane || self->remembers || isfinite(self->hint) ||
-        !tinker_method_is_adaptive(run->choice.method))
-        return;
     if (tinker_contact_run_evaluate_start(self) != TINKER_OK) return;
     tinker_contact_run_hand_start_on(self);
     if (self->near->len == 0 || self->contacts->moving_plates > 0) return;
@@ -131,6 +127,15 @@ void tinker_contact_run_expect(TinkerContactRun *self)
         }
     }
     if (self->expects) self->hint = run->state.t + soonest + 0.1 * longest_carry(self);
+}
+
+void tinker_contact_run_expect(TinkerContactRun *self)
+{
+    self->expects = FALSE;
+    tinker_contact_run_forget_start(self);
+    if (self->passed && self->in_plane && !self->remembers && !isfinite(self->hint) &&
+        tinker_method_is_adaptive(self->run->choice.method))
+        expect_arrival(self);
 }
 
 void tinker_contact_run_take_expected(TinkerContactRun *self, TinkerTrigger *found, double *time, double *slope)

@@ -23,7 +23,7 @@ static const TinkerPlate *top_at(const TinkerContacts *contacts, int32_t point)
 
 /* What supports that move do to bodies that rest is a function of time that no error control sees, since the bodies
  * stay or go along: its work needs steps that resolve it. */
-static double resolved_limit(TinkerContactRun *self, double limit)
+static G_NO_INLINE double resolved_limit(TinkerContactRun *self, double limit)
 {
     const TinkerModel *model = self->model;
     double from = self->run->state.t;
@@ -38,7 +38,7 @@ static double resolved_limit(TinkerContactRun *self, double limit)
 /* How fast the motion swings that holds the energy: its largest acceleration beside its largest speed, of late. From
  * rest the speed is at first what one short step makes of the acceleration, so that steps grow as fast as the motion
  * does. */
-static double swing_limit(TinkerContactRun *self, double limit)
+static G_NO_INLINE double swing_limit(TinkerContactRun *self, double limit)
 {
     TinkerIslandRun *run = self->run;
     TinkerSystem *system = &run->system.system;
@@ -54,18 +54,19 @@ static double swing_limit(TinkerContactRun *self, double limit)
 }
 
 /* The search for events follows no more turns than so many within a step. */
-static double turning_limit(const TinkerContactRun *self, double limit)
+static G_NO_INLINE double turning_limit(const TinkerContactRun *self, double limit)
 {
     const TinkerModel *model = self->model;
     double rate = 0;
-    for (int32_t k = 0; self->contacts->gap_count > 0 && k < model->turning; k++)
+    for (int32_t k = 0; k < model->turning; k++)
         rate = fmax(rate, fabs(self->run->state.v[2 * model->bodies + k]) / model->turns[k].gyration);
     return rate > 0 ? fmin(limit, self->run->state.t + TINKER_LONGEST_TURN / rate) : limit;
 }
 
+/* What few runs are limited by is called, so that the others do not carry its registers. */
 double tinker_contact_run_step_limit(TinkerContactRun *self, double limit)
 {
-    limit = turning_limit(self, limit);
+    if (self->contacts->gap_count > 0) limit = turning_limit(self, limit);
     if (self->model->moving_supports > 0 && tinker_method_is_adaptive(self->run->choice.method))
         limit = resolved_limit(self, limit);
     return self->exact ? swing_limit(self, limit) : limit;

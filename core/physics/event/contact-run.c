@@ -376,22 +376,23 @@ static TinkerStatus recall_start(TinkerContactRun *self)
     return tinker_island_run_interpolate(run, start.t, start.q, start.v, start.books);
 }
 
-TinkerStatus tinker_contact_run_look(TinkerContactRun *self, TinkerStepReport *report)
+/* Whether a step that began as quiet was so to its end. */
+static gboolean stayed_quiet(const TinkerContactRun *self)
+{
+    const TinkerState *state = &self->run->state;
+    const double speed = fastest(self, state->v);
+    return speed <= self->speed_bound ||
+           tinker_contact_run_is_quiet(self, state->q, travel_at(speed, state->t - self->from.t));
+}
+
+/* Looks for what the step met. Apart, as most steps are quiet. */
+static G_NO_INLINE TinkerStatus look_for_contact(TinkerContactRun *self, TinkerStepReport *report)
 {
     TinkerIslandRun *run = self->run;
-    TinkerStatus status = TINKER_OK;
+    TinkerStatus status = self->speed_bound > 0 ? recall_start(self) : TINKER_OK;
     double time, slope, *from = self->from.q;
     TinkerTrigger found;
-    run->system.known = NULL;
-    if (self->speed_bound > 0) {
-        self->hint = INFINITY;
-        double speed = fastest(self, run->state.v);
-        if (speed <= self->speed_bound) return TINKER_OK;
-        if (tinker_contact_run_is_quiet(self, run->state.q, travel_at(speed, run->state.t - self->from.t)))
-            return TINKER_OK;
-        status = recall_start(self);
-        if (status != TINKER_OK) return status;
-    }
+    if (status != TINKER_OK) return status;
     double speed = fmax(run->system.speed, fmax(fastest(self, run->state.v), fastest(self, self->from.v)));
     double travel = travel_at(speed, run->state.t - self->from.t);
     const gboolean expected = self->expects && run->state.t == self->hint;
@@ -419,4 +420,11 @@ TinkerStatus tinker_contact_run_look(TinkerContactRun *self, TinkerStepReport *r
     if (self->near->len == 0 && self->model->constraints.unilateral == NULL)
         tinker_contact_run_note_quiet(self, run->state.q, run->q);
     return TINKER_OK;
+}
+
+TinkerStatus tinker_contact_run_look(TinkerContactRun *self, TinkerStepReport *report)
+{
+    self->run->system.known = NULL;
+    if (self->speed_bound > 0) self->hint = INFINITY;
+    return self->speed_bound > 0 && stayed_quiet(self) ? TINKER_OK : look_for_contact(self, report);
 }
