@@ -137,11 +137,12 @@ static void add_load_power(const TinkerLinearForm *form, const double *u, double
     }
 }
 
-/* Most have one book, and a loop becomes a call of the C library. */
+/* Most have a book or two, and a loop becomes a call of the C library. */
 static inline void clear(int32_t books, double *power)
 {
     if (books > 0) power[0] = 0;
-    if (books > 1) memset(power + 1, 0, (gsize)(books - 1) * sizeof(double));
+    if (books > 1) power[1] = 0;
+    if (books > 2) memset(power + 2, 0, (gsize)(books - 2) * sizeof(double));
 }
 
 static TinkerStatus acceleration(void *context, double t, const double *x, const double *u, double *a, double *power)
