@@ -1,4 +1,5 @@
-/* A row of the record is a picture: its time, and place and orientation of every body that can move. */
+/* A row of the record is a picture: its time, place and orientation of every body that can move, and how long is what
+ * is wound. */
 #include "motion-film.h"
 
 #include <math.h>
@@ -50,7 +51,9 @@ TinkerMotionFilm *tinker_motion_film_new(TinkerScene *scene, GError **error)
         TinkerBlockId block = tinker_scene_block_at(scene, place);
         if (tinker_block_moves(scene, block)) g_array_append_val(motion->bodies, block);
     }
-    guint width = 1 + 3 * motion->bodies->len;
+    int32_t wound;
+    tinker_frame_wound(frame, &wound);
+    guint width = 1 + 3 * motion->bodies->len + (guint)wound;
     motion->record = tinker_record_new(width, 0);
     motion->row = g_array_set_size(g_array_new(FALSE, TRUE, sizeof(double)), width);
     tinker_painter_bounds(motion->frame, motion->box);
@@ -99,6 +102,10 @@ gboolean tinker_motion_film_sample(TinkerSimulation *simulation, double time, co
     *row++ = time;
     for (guint i = 0; i < motion->bodies->len; i++, row += 3)
         tinker_frame_centre(motion->frame, g_array_index(motion->bodies, TinkerBlockId, i), &row[0], &row[1], &row[2]);
+    int32_t count;
+    const TinkerBlockId *wound = tinker_frame_wound(motion->frame, &count);
+    for (int32_t i = 0; i < count; i++)
+        *row++ = tinker_frame_length(motion->frame, wound[i]);
     return tinker_record_append(motion->record, (const double *)(gpointer)motion->row->data, error);
 }
 
@@ -130,6 +137,10 @@ static gboolean place_picture(TinkerMotionFilm *motion, gsize picture, GError **
     for (guint i = 0; i < motion->bodies->len; i++)
         tinker_frame_place(motion->frame, g_array_index(motion->bodies, TinkerBlockId, i), row[3 * i + 1],
                            row[3 * i + 2], row[3 * i + 3]);
+    int32_t count;
+    const TinkerBlockId *wound = tinker_frame_wound(motion->frame, &count);
+    for (int32_t i = 0; i < count; i++)
+        tinker_frame_set_length(motion->frame, wound[i], row[3 * motion->bodies->len + 1 + (guint)i]);
     tinker_frame_note_paths(motion->frame);
     return TRUE;
 }

@@ -23,6 +23,8 @@ enum { QUANTITY_TENSION, QUANTITY_FREE };
 #define NEARLY_TAUT 0.05 /* of the radius */
 #define RINGS       24   /* lines of the ring that is wound on the disc */
 
+#define VISIBLY_SLACK 1e-3 /* of its length: longer by this than its way it is drawn slack */
+
 /* Physics */
 
 /* The free part of a cord. */
@@ -134,7 +136,7 @@ static TinkerStatus check(TinkerBatch *batch)
     return TINKER_OK;
 }
 
-/* Drawing: a ring on the disc, and the free part along its tangent */
+/* Drawing: a ring on the disc, and the free part along its tangent, or hanging where it is slack */
 
 static Tangent drawn(const TinkerInstance *instance)
 {
@@ -151,12 +153,21 @@ static void touch_of(const TinkerInstance *instance, const Tangent *t, double to
     touch[1] = instance->end[0].y + radius * t->out[1];
 }
 
+/* Not where its length is not known. */
+static int is_slack(const TinkerInstance *instance, const Tangent *t)
+{
+    const double length = instance->columns[COLUMN_LENGTH];
+    return length - t->free > VISIBLY_SLACK * length;
+}
+
 static void draw(const TinkerInstance *instance, struct _cairo *cairo, const TinkerStyle *style)
 {
     const TinkerEnd *a = &instance->end[0], *b = a + 1;
     const double radius = instance->columns[COLUMN_RADIUS], sigma = side_of(instance->columns[COLUMN_SIDE]);
     const Tangent t = drawn(instance);
-    double touch[2], points[2 * RINGS + 2];
+    const int slack = is_slack(instance, &t);
+    const int32_t colour = slack ? TINKER_COLOUR_COMPRESSED : TINKER_COLOUR_CONNECTOR;
+    double touch[2], points[2 * RINGS + 2], free[2 * TINKER_HANGING_POINTS];
     touch_of(instance, &t, touch);
     for (int k = 0; k <= RINGS; k++) { /* the wound part begins where the free one ends */
         const double angle = t.angle + sigma * 2.0 * TINKER_PI * k / RINGS;
@@ -164,16 +175,28 @@ static void draw(const TinkerInstance *instance, struct _cairo *cairo, const Tin
         points[2 * k + 1] = a->y + radius * sin(angle);
     }
     style->polyline(style, cairo, TINKER_COLOUR_CONNECTOR, points, RINGS + 1);
-    style->line(style, cairo, TINKER_COLOUR_CONNECTOR, touch[0], touch[1], b->x, b->y);
+    if (slack) {
+        tinker_hanging_line(touch[0], touch[1], b->x, b->y, instance->columns[COLUMN_LENGTH], free);
+        style->polyline(style, cairo, colour, free, TINKER_HANGING_POINTS);
+    } else {
+        style->line(style, cairo, colour, touch[0], touch[1], b->x, b->y);
+    }
     tinker_ends_draw_marks(instance, cairo, style);
 }
 
 static void bounds(const TinkerInstance *instance, const TinkerStyle *style, double box[4])
 {
     const double margin = tinker_drawing_margin(style);
+    const Tangent t = drawn(instance);
+    double touch[2];
     tinker_bounds_clear(box);
     tinker_bounds_add(box, instance->end[0].x, instance->end[0].y, instance->columns[COLUMN_RADIUS] + margin);
     tinker_bounds_add(box, instance->end[1].x, instance->end[1].y, margin);
+    if (is_slack(instance, &t)) {
+        touch_of(instance, &t, touch);
+        const double depth = tinker_hanging_depth(touch[1], instance->end[1].y, instance->columns[COLUMN_LENGTH]);
+        tinker_bounds_add(box, instance->end[1].x, fmin(touch[1], instance->end[1].y) - depth, margin);
+    }
 }
 
 /* Editing: the handle where it leaves the disc sets the radius */

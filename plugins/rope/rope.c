@@ -16,7 +16,7 @@ enum { QUANTITY_TENSION, QUANTITY_SLACK };
 #define LEAST_STRAND 1e-3
 #define NEARLY_TAUT  0.999
 
-#define VISIBLY_SLACK 1e-6 /* of its length: shorter by this it is drawn slack */
+#define VISIBLY_SLACK 1e-3 /* of its length: shorter by this it is drawn slack */
 #define WHEEL         0.5  /* of the symbol size: radius of a wheel; less where it would reach */
 #define WHEEL_SHARE   0.3  /* beyond this share of a strand */
 #define ARC_STEPS     12
@@ -72,14 +72,16 @@ static double strand(const TinkerInstance *instance, int32_t k)
     return tinker_length(instance->end[k].x - instance->end[k - 1].x, instance->end[k].y - instance->end[k - 1].y);
 }
 
-static int is_slack(const TinkerInstance *instance)
+/* How much longer each strand is than its way, where the rope is slack; else 1. Where the slack lies nothing tells: all
+ * strands are drawn with their share of it. */
+static double hangs_by(const TinkerInstance *instance)
 {
     const double length = instance->columns[COLUMN_LENGTH];
     double path = 0.0;
     for (int32_t k = 1; k < instance->ends; k++) {
         path += strand(instance, k);
     }
-    return length - path > VISIBLY_SLACK * length;
+    return length - path > VISIBLY_SLACK * length && path > 0.0 ? length / path : 1.0;
 }
 
 /* How far to the left of its way the rope passes the centre of a wheel: where it turns left, at the wheel's right. 0 at
@@ -133,8 +135,9 @@ static void draw_wrapped(const TinkerInstance *instance, struct _cairo *cairo, c
 
 static void draw(const TinkerInstance *instance, struct _cairo *cairo, const TinkerStyle *style)
 {
-    const int32_t colour = is_slack(instance) ? TINKER_COLOUR_COMPRESSED : TINKER_COLOUR_CONNECTOR;
-    double line[4], normal[2], before[2] = {0.0, 0.0};
+    const double factor = hangs_by(instance);
+    const int32_t colour = factor > 1.0 ? TINKER_COLOUR_COMPRESSED : TINKER_COLOUR_CONNECTOR;
+    double line[4], normal[2], before[2] = {0.0, 0.0}, points[2 * TINKER_HANGING_POINTS];
     for (int32_t k = 1; k < instance->ends - 1; k++) {
         style->circle(style, cairo, TINKER_COLOUR_SUPPORT, TINKER_COLOUR_BODY_EDGE, instance->end[k].x,
                       instance->end[k].y, fabs(offset(instance, k, style->symbol_size)));
@@ -142,11 +145,28 @@ static void draw(const TinkerInstance *instance, struct _cairo *cairo, const Tin
     for (int32_t k = 1; k < instance->ends; k++) {
         tangent(instance, k, style->symbol_size, line, normal);
         if (k > 1) draw_wrapped(instance, cairo, style, colour, k - 1, before, normal);
-        style->line(style, cairo, colour, line[0], line[1], line[2], line[3]);
+        if (factor > 1.0) {
+            const double length = factor * tinker_length(line[2] - line[0], line[3] - line[1]);
+            tinker_hanging_line(line[0], line[1], line[2], line[3], length, points);
+            style->polyline(style, cairo, colour, points, TINKER_HANGING_POINTS);
+        } else {
+            style->line(style, cairo, colour, line[0], line[1], line[2], line[3]);
+        }
         before[0] = normal[0];
         before[1] = normal[1];
     }
     tinker_ends_draw_marks(instance, cairo, style);
+}
+
+static void bounds(const TinkerInstance *instance, const TinkerStyle *style, double box[4])
+{
+    const double factor = hangs_by(instance), margin = tinker_drawing_margin(style);
+    tinker_connector_bounds(instance, style, box);
+    for (int32_t k = 1; k < instance->ends && factor > 1.0; k++) {
+        const TinkerEnd *a = &instance->end[k - 1], *b = a + 1;
+        const double depth = tinker_hanging_depth(a->y, b->y, factor * strand(instance, k));
+        tinker_bounds_add(box, b->x, fmin(a->y, b->y) - depth, margin);
+    }
 }
 
 /* Graphs */
@@ -194,7 +214,7 @@ static const TinkerConstraint constraint = {.struct_size = sizeof(TinkerConstrai
                                             .check = check,
                                             .distance = distance};
 static const TinkerPhysics physics = {.struct_size = sizeof(TinkerPhysics), .constraint = &constraint};
-static const TinkerRender render = {sizeof(TinkerRender), 2, draw, tinker_connector_bounds};
+static const TinkerRender render = {sizeof(TinkerRender), 2, draw, bounds};
 static const TinkerEdit edit = {sizeof(TinkerEdit),        0,   tinker_connector_hit, tinker_ends_move,
                                 tinker_ends_move_absolute, NULL};
 static const TinkerGraph graph = {sizeof(TinkerGraph), 0, values};

@@ -46,6 +46,30 @@ static void test_change_on_the_way(void)
     g_assert_cmpfloat(stiffness_in(behind), ==, 6.25);
 }
 
+/* A slack cord of 3 m on a disc of 0.1 m that turns by 10 rad/s shortens by 1 m/s, also when the run goes on from a
+ * change on the way, and between two samples. */
+static void test_wound(void)
+{
+    g_autoptr(PlayerFixture) fixture = player_fixture_new(
+        "'run': {'duration': 1.5, 'interval': 0.01}, 'blocks': [{'type': 'support', 'name': 'S', 'solid': false},"
+        "{'type': 'disc', 'name': 'D', 'radius': 0.1, 'angular_velocity': 10, 'solid': false},"
+        "{'type': 'pin', 'ends': ['S', 'D']}, {'type': 'mass', 'name': 'M', 'position': [1, 0]},"
+        "{'type': 'cord', 'name': 'C', 'ends': ['D', 'M'], 'length': 3}]");
+    const TinkerBlockId cord = tinker_scene_find_block(tinker_document_scene(fixture->document), "C");
+    player_play(fixture);
+    player_wait_until(fixture, 1.5);
+    tinker_player_seek(fixture->player, 0.5);
+    tinker_player_pause(fixture->player);
+    gui_fixture_set(fixture->base, "M", "mass", 2, 0);
+    g_assert_cmpint(fixture->rewound, ==, 0);
+    player_wait_until(fixture, 1.5);
+    const double times[] = {0, 0.2, 1, 1.003};
+    for (gsize i = 0; i < G_N_ELEMENTS(times); i++) {
+        tinker_player_seek(fixture->player, times[i]);
+        player_assert_close(tinker_frame_length(tinker_player_frame(fixture->player), cord), 3 - times[i], 1e-7);
+    }
+}
+
 /* A hand that takes hold while it runs, and moves on: the motion goes on from there, about its place. */
 static void test_pulled_by_hand(void)
 {
@@ -220,6 +244,7 @@ static void add_tests(void)
 {
     g_test_add_func("/player/change-on-the-way", test_change_on_the_way);
     g_test_add_func("/player/change-at-the-end", test_change_at_the_end);
+    g_test_add_func("/player/wound", test_wound);
     g_test_add_func("/player/pulled-by-hand", test_pulled_by_hand);
     g_test_add_func("/player/path", test_path);
     g_test_add_func("/player/rewinds", test_rewinds);

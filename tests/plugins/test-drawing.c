@@ -251,6 +251,23 @@ static void test_rope(void)
     g_assert_cmpint(note(&stage, "line", 0)->colour, ==, TINKER_COLOUR_COMPRESSED);
 }
 
+/* On a wheel of radius 3 about (1, 2), of which (4, 6) is 5 away: 4 m are free. Longer, it hangs from where it leaves
+ * the wheel; where its length is not known it is drawn straight. */
+static void test_cord(void)
+{
+    Stage stage;
+    stage_init(&stage, "cord");
+    stage_set(&stage, "radius", 3);
+    const double lengths[] = {4, NAN, 5};
+    for (size_t i = 0; i < G_N_ELEMENTS(lengths); i++) {
+        stage_set(&stage, "length", lengths[i]);
+        draw(&stage);
+        const Note *free = note(&stage, i < 2 ? "line" : "polyline", i < 2 ? 0 : 1);
+        assert_line(free, 1 + 3 * -0.28, 2 + 3 * 0.96, 4, 6);
+        g_assert_cmpint(free->colour, ==, i < 2 ? TINKER_COLOUR_CONNECTOR : TINKER_COLOUR_COMPRESSED);
+    }
+}
+
 /* A ring about its end; behind it the path, which goes on to where it is now. */
 static void test_marker(void)
 {
@@ -414,6 +431,7 @@ int main(int argc, char **argv)
     g_test_add_func("/plugins/drawing/support", test_support);
     g_test_add_func("/plugins/drawing/motor", test_motor);
     g_test_add_func("/plugins/drawing/rope", test_rope);
+    g_test_add_func("/plugins/drawing/cord", test_cord);
     g_test_add_func("/plugins/drawing/marker", test_marker);
     g_test_add_func("/plugins/drawing/support-motion", test_support_motion);
     g_test_add_func("/plugins/drawing/fields", test_fields);

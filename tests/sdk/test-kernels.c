@@ -105,6 +105,33 @@ static void test_connector_hit(void)
     g_assert_cmpint(tinker_connector_hit(&instance, 2, 2, 0.2), ==, TINKER_PART_NONE);
 }
 
+/* y = a cosh(x / a) between two places is a (sinh(x2 / a) - sinh(x1 / a)) long; drawn either way. */
+static void test_hanging_line(void)
+{
+    const double rows[][3] = {{1, -1, 1}, {1, -2, 0.5}, {0.3, 0.2, 1.5}, {5, -3, 2}, {0.01, -0.1, 0.12}};
+    for (size_t i = 0; i < G_N_ELEMENTS(rows); i++) {
+        const double a = rows[i][0], from = rows[i][1], to = rows[i][2];
+        const double length = a * (sinh(to / a) - sinh(from / a));
+        double there[2 * TINKER_HANGING_POINTS], back[2 * TINKER_HANGING_POINTS];
+        tinker_hanging_line(from, a * cosh(from / a), to, a * cosh(to / a), length, there);
+        tinker_hanging_line(to, a * cosh(to / a), from, a * cosh(from / a), length, back);
+        for (int k = 0; k < TINKER_HANGING_POINTS; k++) {
+            const double *other = &back[2 * (TINKER_HANGING_POINTS - 1 - k)];
+            g_assert_cmpfloat_with_epsilon(there[2 * k + 1], a * cosh(there[2 * k] / a), 1e-8 * length);
+            g_assert_cmpfloat_with_epsilon(there[2 * k], other[0], 1e-8 * length);
+            g_assert_cmpfloat_with_epsilon(there[2 * k + 1], other[1], 1e-8 * length);
+        }
+        g_assert_cmpfloat_with_epsilon(there[2 * TINKER_HANGING_POINTS - 2], to, 1e-8 * length);
+    }
+    double points[2 * TINKER_HANGING_POINTS];
+    tinker_hanging_line(2, 1, 2, 0, 3, points); /* straight down and up again */
+    g_assert_cmpfloat_with_epsilon(points[TINKER_HANGING_POINTS - 1], 2, 1e-4);
+    g_assert_cmpfloat_with_epsilon(points[TINKER_HANGING_POINTS + 8], -1, 1e-4);
+    tinker_hanging_line(0, 0, 4, 4, 1, points); /* too short */
+    g_assert_cmpfloat(points[TINKER_HANGING_POINTS - 1], ==, 2);
+    g_assert_cmpfloat(points[TINKER_HANGING_POINTS], ==, 2);
+}
+
 static void test_first_end(void)
 {
     const int32_t offsets[3] = {0, 2, 7};
@@ -126,5 +153,6 @@ int main(int argc, char **argv)
     g_test_add_func("/sdk/kernels/own-axes", test_own_axes);
     g_test_add_func("/sdk/kernels/connector-hit", test_connector_hit);
     g_test_add_func("/sdk/kernels/first-end", test_first_end);
+    g_test_add_func("/sdk/kernels/hanging-line", test_hanging_line);
     return g_test_run();
 }

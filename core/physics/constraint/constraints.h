@@ -51,12 +51,16 @@ void tinker_constraints_rows_times(const TinkerConstraints *constraints, const d
 /* Largest |g| relative to the rows' lengths, and largest |J v + dg/dt| (m/s), at a state. */
 TinkerStatus tinker_constraints_errors(TinkerModel *model, double t, const double *q, const double *v, double *position,
                                        double *velocity);
-/* The largest |g| relative to its row's length, of the rows evaluated last. */
 /* Has what is wound on a body (a cord) count from how it is at a state of the run (wound-rows.c): after each step. */
 TinkerStatus tinker_constraints_rewind(TinkerModel *model, double t, const double *q, const double *v);
+/* The length (m) of what is off the body that a block is wound on, slack with it, at a state; NAN where no row of the
+ * model is that block's and wound. What was evaluated last stays as it is, but for the points. */
+double tinker_constraints_wound_length(TinkerModel *model, double t, const double *q, const double *v,
+                                       TinkerBlockId block);
 
 /* The unit of what a row misses, "m" or "rad". Static. */
 const char *tinker_constraints_row_unit(const TinkerModel *model, int32_t row);
+/* The largest |g| relative to its row's length, of the rows evaluated last. */
 double tinker_constraints_worst_miss(const TinkerModel *model);
 /* The row that is off most, by the same measure. */
 int32_t tinker_constraints_worst_row(const TinkerModel *model);

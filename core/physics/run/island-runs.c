@@ -344,6 +344,20 @@ TinkerStatus tinker_island_runs_sample(TinkerIslandRuns *self, double t)
     return status;
 }
 
+double tinker_island_runs_wound_length(TinkerIslandRuns *self, TinkerBlockId block)
+{
+    for (guint i = 0; i < self->runs->len; i++) {
+        TinkerIslandRun *run = g_ptr_array_index(self->runs, i);
+        if (run->model->constraints.unilateral == NULL ||
+            tinker_island_run_state_at(run, self->sample_time, self->part_q, self->part_v) != TINKER_OK)
+            continue;
+        const double length =
+            tinker_constraints_wound_length(run->model, self->sample_time, self->part_q, self->part_v, block);
+        if (!isnan(length)) return length;
+    }
+    return NAN;
+}
+
 gboolean tinker_island_runs_close(TinkerIslandRuns *self, GError **error)
 {
     for (guint i = 0; i < self->runs->len; i++)

@@ -58,6 +58,9 @@ gboolean tinker_island_runs_advance(TinkerIslandRuns *runs, double t, GError **e
 /* Evaluates the columns there. */
 TinkerStatus tinker_island_runs_sample(TinkerIslandRuns *runs, double t);
 
+/* What tinker_constraints_wound_length says of a block in the island that it is in, at the last sample. */
+double tinker_island_runs_wound_length(TinkerIslandRuns *runs, TinkerBlockId block);
+
 /* The time that all islands have reached. */
 double tinker_island_runs_time(const TinkerIslandRuns *runs);
 

@@ -115,7 +115,16 @@ gboolean tinker_simulation_place(TinkerSimulation *simulation, TinkerFrame *fram
         tinker_frame_place(frame, model->body_blocks[i], simulation->all->sample_q[2 * i] + model->origin[0],
                            simulation->all->sample_q[2 * i + 1] + model->origin[1], orientation);
     }
+    int32_t count;
+    const TinkerBlockId *wound = tinker_frame_wound(frame, &count);
+    for (int32_t i = 0; i < count; i++)
+        tinker_frame_set_length(frame, wound[i], tinker_simulation_wound_length(simulation, wound[i]));
     return TRUE;
+}
+
+double tinker_simulation_wound_length(TinkerSimulation *simulation, TinkerBlockId block)
+{
+    return tinker_island_runs_wound_length(simulation->all, block);
 }
 
 gboolean tinker_simulation_body(const TinkerSimulation *simulation, TinkerBlockId block, TinkerBodySample *sample)

@@ -30,7 +30,8 @@ typedef gboolean (*TinkerSampleFunc)(TinkerSimulation *simulation, double time, 
 gboolean tinker_simulation_run(TinkerSimulation *simulation, const GArray *columns, TinkerSampleFunc sample, void *data,
                                GError **error);
 
-/* Inside a sample function: puts bodies and supports of the frame where they are at this sample. */
+/* Inside a sample function: puts bodies and supports of the frame where they are at this sample, and tells it how long
+ * what is wound on bodies is. */
 gboolean tinker_simulation_place(TinkerSimulation *simulation, TinkerFrame *frame, GError **error);
 
 /* A body that can move, at a sample. */
@@ -43,6 +44,10 @@ typedef struct {
 
 /* Inside a sample function: a body's state at this sample. FALSE for a block that is no body that can move. */
 gboolean tinker_simulation_body(const TinkerSimulation *simulation, TinkerBlockId block, TinkerBodySample *sample);
+
+/* Inside a sample function: the length (m) of what is off the body that a block is wound on, with what of it is slack;
+ * NAN for blocks that are not wound, or not in the model. */
+double tinker_simulation_wound_length(TinkerSimulation *simulation, TinkerBlockId block);
 
 /* Inside a sample function: how far each column may be off at this sample (the running maximum of its estimate), in the
  * column's unit; NAN from where the companion has stopped on. NULL at all samples of a run where `bands` was not asked

@@ -39,6 +39,8 @@ struct _TinkerFrame {
     GArray *ends;       /* likewise, of TinkerEnd */
     double symbol_size; /* m, that instances report */
     double *lanes;      /* by block id: see lanes.h */
+    GArray *wound;      /* of TinkerBlockId: what is wound on bodies; */
+    double *lengths;    /* how long each of them is now, in that order */
     TinkerPaths *paths; /* of the blocks that leave one; NULL where there are none */
 };
 
@@ -216,6 +218,20 @@ static gboolean prepare_motions(TinkerFrame *frame, GError **error)
     return TRUE;
 }
 
+/* As placed they are as long as their properties say. */
+static void list_wound(TinkerFrame *frame)
+{
+    for (guint i = 0; i < frame->batches->len; i++) {
+        const TinkerBlockBatch *batch = g_ptr_array_index(frame->batches, i);
+        if (tinker_block_class_is_wound(batch->block_class))
+            g_array_append_vals(frame->wound, batch->ids, (guint)batch->count);
+    }
+    frame->lengths = g_new0(double, MAX(frame->wound->len, 1));
+    for (guint i = 0; i < frame->wound->len; i++)
+        frame->lengths[i] =
+            tinker_frame_meaning(frame, g_array_index(frame->wound, TinkerBlockId, i), TINKER_MEANING_LENGTH, 0, NAN);
+}
+
 TinkerFrame *tinker_frame_new(TinkerScene *scene, GError **error)
 {
     TinkerFrame *frame = g_new0(TinkerFrame, 1);
@@ -231,6 +247,7 @@ TinkerFrame *tinker_frame_new(TinkerScene *scene, GError **error)
     frame->paths = tinker_paths_new(scene);
     frame->locations = g_new0(Location, MAX(frame->limit, 1));
     frame->ends = g_array_new(FALSE, TRUE, sizeof(TinkerEnd));
+    frame->wound = g_array_new(FALSE, FALSE, sizeof(TinkerBlockId));
     locate(frame);
     int32_t widest = 1, properties = 1;
     for (guint i = 0; i < frame->batches->len; i++) {
@@ -247,6 +264,7 @@ TinkerFrame *tinker_frame_new(TinkerScene *scene, GError **error)
         return NULL;
     }
     resolve_placed_lengths(frame);
+    list_wound(frame);
     return frame;
 }
 
@@ -259,6 +277,8 @@ void tinker_frame_free(TinkerFrame *frame)
     tinker_motions_free(frame->motions);
     g_free(frame->lanes);
     tinker_paths_free(frame->paths);
+    g_array_unref(frame->wound);
+    g_free(frame->lengths);
     g_free(frame->locations);
     g_free(frame->columns);
     g_free(frame->texts);
@@ -293,6 +313,27 @@ gboolean tinker_frame_set_time(TinkerFrame *frame, double t, GError **error)
 void tinker_frame_place(TinkerFrame *frame, TinkerBlockId block, double x, double y, double orientation)
 {
     frame->poses[block] = (Pose){x, y, orientation};
+    for (guint i = 0; i < frame->wound->len; i++)
+        frame->lengths[i] = NAN;
+}
+
+const TinkerBlockId *tinker_frame_wound(const TinkerFrame *frame, int32_t *count)
+{
+    *count = (int32_t)frame->wound->len;
+    return (const TinkerBlockId *)(gpointer)frame->wound->data;
+}
+
+void tinker_frame_set_length(TinkerFrame *frame, TinkerBlockId block, double length)
+{
+    for (guint i = 0; i < frame->wound->len; i++)
+        if (g_array_index(frame->wound, TinkerBlockId, i) == block) frame->lengths[i] = length;
+}
+
+double tinker_frame_length(const TinkerFrame *frame, TinkerBlockId block)
+{
+    for (guint i = 0; i < frame->wound->len; i++)
+        if (g_array_index(frame->wound, TinkerBlockId, i) == block) return frame->lengths[i];
+    return NAN;
 }
 
 void tinker_frame_centre(const TinkerFrame *frame, TinkerBlockId block, double *x, double *y, double *orientation)
@@ -388,6 +429,9 @@ gboolean tinker_frame_instance(TinkerFrame *frame, TinkerBlockId block, TinkerIn
     const TinkerBlockBatch *batch = location->batch;
     for (int32_t column = 0; column < batch->block_class->column_count; column++)
         frame->columns[column] = batch->columns[column][location->row];
+    if (tinker_block_class_is_wound(batch->block_class))
+        frame->columns[tinker_block_class_meaning_column(batch->block_class, TINKER_MEANING_LENGTH)] =
+            tinker_frame_length(frame, block);
     int32_t first = batch->end_offsets[location->row];
     int32_t count = batch->end_offsets[location->row + 1] - first;
     g_array_set_size(frame->ends, (guint)count);

@@ -26,8 +26,14 @@ double tinker_frame_time(const TinkerFrame *frame);
  * can move stay where they are until tinker_frame_place moves them. */
 gboolean tinker_frame_set_time(TinkerFrame *frame, double t, GError **error);
 
-/* Puts a body that can move somewhere. */
+/* Puts a body that can move somewhere; how long what is wound is, is not known then until it is told. */
 void tinker_frame_place(TinkerFrame *frame, TinkerBlockId block, double x, double y, double orientation);
+
+/* The blocks that are wound on bodies, and how long (m) what is off the body of one of them is now, with what of it is
+ * slack: it depends on the way of the run up to here, which the places do not tell. NAN: not known. */
+const TinkerBlockId *tinker_frame_wound(const TinkerFrame *frame, int32_t *count);
+void tinker_frame_set_length(TinkerFrame *frame, TinkerBlockId block, double length);
+double tinker_frame_length(const TinkerFrame *frame, TinkerBlockId block);
 
 /* Whether any block leaves a path (TINKER_LEAVES_PATH). */
 gboolean tinker_frame_leaves_paths(const TinkerFrame *frame);

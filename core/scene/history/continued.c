@@ -2,7 +2,6 @@
 #include "scene/history/continued.h"
 
 #include <float.h>
-#include <glib/gi18n-lib.h>
 #include <math.h>
 
 #include "scene/store/scene-data.h"
@@ -83,13 +82,12 @@ static gboolean fix_placed_lengths(Continuation *continuation, TinkerBlockId blo
     return TRUE;
 }
 
-/* What counts from the start has no counterpart in a scene that starts later. */
-static gboolean refuse_wound(const Continuation *continuation, TinkerBlockId block, GError **error)
+/* What is wound counts from how bodies are turned at the start, which is then now. */
+static gboolean set_wound_length(Continuation *continuation, TinkerBlockId block, GError **error)
 {
-    g_set_error(error, TINKER_SCENE_ERROR, TINKER_SCENE_ERROR_VALUE,
-                _("%s: what is wound on a body cannot go on from %g s (run it from the start)"),
-                tinker_scene_block_name(continuation->scene, block), continuation->t);
-    return FALSE;
+    const double length = tinker_frame_length(continuation->now, block);
+    if (isnan(length)) return TRUE; /* not wound; or an end was detached: there was no run with it */
+    return set_meaning(continuation, block, TINKER_MEANING_LENGTH, &length, error);
 }
 
 static void shift_waveforms(Continuation *continuation, TinkerBlockId block)
@@ -118,14 +116,12 @@ static gboolean continue_block(Continuation *continuation, TinkerBlockId block, 
 {
     const TinkerBlockClass *block_class = tinker_scene_block_class(continuation->scene, block);
     if (block_class == NULL) return TRUE;
-    if (tinker_block_class_is_wound(block_class) && continuation->t > 0)
-        return refuse_wound(continuation, block, error);
     shift_waveforms(continuation, block);
     if (!shift_instant(continuation, block, error)) return FALSE;
     const TinkerScene *ran = tinker_frame_scene(continuation->now);
     if (!tinker_scene_has_block(ran, block) || tinker_scene_block_class(ran, block) != block_class) return TRUE;
     if (can_move(block_class) && !continue_body(continuation, block, error)) return FALSE;
-    return fix_placed_lengths(continuation, block, error);
+    return set_wound_length(continuation, block, error) && fix_placed_lengths(continuation, block, error);
 }
 
 TinkerScene *tinker_scene_continued(const TinkerScene *scene, const TinkerFrame *now, double t,

@@ -102,34 +102,35 @@ static void place_body(TinkerFrame *frame, TinkerBlockId block, const TinkerBody
     tinker_frame_place(frame, block, a->x + share * (b->x - a->x), a->y + share * (b->y - a->y), orientation);
 }
 
-gboolean tinker_recording_place_sample(TinkerFrame *frame, TinkerRunTask *task, gsize row)
+/* A row between two samples, or one of them. */
+static gboolean place_between(TinkerFrame *frame, TinkerRunTask *task, gsize row, const double *time)
 {
-    int count;
+    int count, wound_count;
     const TinkerBlockId *bodies = tinker_run_task_bodies(task, &count);
-    g_autofree TinkerBodySample *samples = g_new(TinkerBodySample, (gsize)count + 1);
-    double time;
-    if (!tinker_run_task_read(task, row, &time, samples, NULL) || !tinker_frame_set_time(frame, time, NULL))
-        return FALSE;
-    TinkerScene *scene = tinker_frame_scene(frame);
-    for (int i = 0; i < count; i++)
-        if (tinker_scene_has_block(scene, bodies[i])) place_body(frame, bodies[i], &samples[i], &samples[i], 0);
-    return TRUE;
-}
-
-static void place_bodies(TinkerFrame *frame, TinkerRunTask *task, gsize row, double time)
-{
-    int count;
-    const TinkerBlockId *bodies = tinker_run_task_bodies(task, &count);
-    g_autofree TinkerBodySample *a = g_new(TinkerBodySample, (gsize)count + 1);
-    g_autofree TinkerBodySample *b = g_new(TinkerBodySample, (gsize)count + 1);
+    const TinkerBlockId *wound = tinker_run_task_wound(task, &wound_count);
+    g_autofree TinkerBodySample *samples = g_new(TinkerBodySample, 2 * (gsize)count + 1);
+    g_autofree double *lengths = g_new(double, 2 * (gsize)wound_count + 1);
+    TinkerBodySample *a = samples, *b = samples + count;
     double before, after, share = 0;
-    if (!tinker_run_task_read(task, row, &before, a, NULL)) return;
-    gboolean between = time > before && tinker_run_task_read(task, row + 1, &after, b, NULL) && after > before;
-    if (between) share = fmin((time - before) / (after - before), 1);
+    if (!tinker_run_task_read(task, row, &before, a, lengths)) return FALSE;
+    if (time == NULL && !tinker_frame_set_time(frame, before, NULL)) return FALSE;
+    const gboolean between = time != NULL && *time > before &&
+                             tinker_run_task_read(task, row + 1, &after, b, lengths + wound_count) && after > before;
+    if (between) share = fmin((*time - before) / (after - before), 1);
     TinkerScene *scene = tinker_frame_scene(frame);
     for (int i = 0; i < count; i++)
         if (tinker_scene_has_block(scene, bodies[i]))
             place_body(frame, bodies[i], &a[i], between ? &b[i] : &a[i], share);
+    for (int i = 0; i < wound_count; i++) {
+        const double change = between ? share * (lengths[wound_count + i] - lengths[i]) : 0;
+        tinker_frame_set_length(frame, wound[i], lengths[i] + change);
+    }
+    return TRUE;
+}
+
+gboolean tinker_recording_place_sample(TinkerFrame *frame, TinkerRunTask *task, gsize row)
+{
+    return place_between(frame, task, row, NULL);
 }
 
 gboolean tinker_recording_place(const TinkerRecording *recording, TinkerFrame *frame, double time)
@@ -138,7 +139,7 @@ gboolean tinker_recording_place(const TinkerRecording *recording, TinkerFrame *f
     gsize row;
     if (!tinker_frame_set_time(frame, time, NULL)) return FALSE;
     if (segment != NULL && tinker_run_task_find(segment->task, time, &row))
-        place_bodies(frame, segment->task, row, time);
+        place_between(frame, segment->task, row, &time);
     return TRUE;
 }
 

@@ -34,6 +34,8 @@ static void fill_row(TinkerRunTask *task, TinkerSimulation *simulation, double t
         const double state[RUN_TASK_STATE] = {body.x, body.y, body.vx, body.vy, body.orientation, body.rate};
         memcpy(row, state, sizeof state);
     }
+    for (guint i = 0; i < task->wound->len; i++)
+        *row++ = tinker_simulation_wound_length(simulation, g_array_index(task->wound, TinkerBlockId, i));
     if (task->columns->len > 0) memcpy(row, values, task->columns->len * sizeof(double));
 }
 

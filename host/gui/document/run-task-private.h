@@ -17,6 +17,7 @@ struct _TinkerRunTask {
     double start;
     GArray *columns; /* of TinkerColumn */
     GArray *bodies;  /* of TinkerBlockId */
+    GArray *wound;   /* likewise: whose lengths are recorded */
     gint cancelled;  /* atomic */
     gboolean estimate;
 
@@ -43,7 +44,7 @@ struct _TinkerRunTask {
 /* (transfer full) */
 TinkerRunEvent *run_task_event_new(double time, const char *text);
 
-/* Doubles in a row: the time, the bodies, the columns. */
+/* Doubles in a row: the time, the bodies, the lengths, the columns. */
 gsize run_task_row_width(const TinkerRunTask *task);
 
 /* Of char *. */

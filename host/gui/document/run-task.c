@@ -33,6 +33,7 @@ void tinker_run_task_unref(TinkerRunTask *task)
     tinker_scene_free(task->scene);
     g_array_unref(task->columns);
     g_array_unref(task->bodies);
+    g_array_unref(task->wound);
     g_array_unref(task->times);
     g_clear_error(&task->error);
     g_ptr_array_unref(task->warnings);
@@ -50,7 +51,7 @@ void tinker_run_task_unref(TinkerRunTask *task)
 
 gsize run_task_row_width(const TinkerRunTask *task)
 {
-    return 1 + RUN_TASK_STATE * (gsize)task->bodies->len + task->columns->len;
+    return 1 + RUN_TASK_STATE * (gsize)task->bodies->len + task->wound->len + task->columns->len;
 }
 
 void run_task_add_copies(GPtrArray *to, const GPtrArray *from)
@@ -59,16 +60,18 @@ void run_task_add_copies(GPtrArray *to, const GPtrArray *from)
         g_ptr_array_add(to, g_strdup(g_ptr_array_index(from, i)));
 }
 
-static GArray *movable_bodies(const TinkerScene *scene)
+static void list_blocks(TinkerRunTask *task, const TinkerScene *scene)
 {
-    GArray *bodies = g_array_new(FALSE, FALSE, sizeof(TinkerBlockId));
+    task->bodies = g_array_new(FALSE, FALSE, sizeof(TinkerBlockId));
+    task->wound = g_array_new(FALSE, FALSE, sizeof(TinkerBlockId));
     for (int32_t place = 0; place < tinker_scene_block_count(scene); place++) {
         TinkerBlockId block = tinker_scene_block_at(scene, place);
         const TinkerBlockClass *block_class = tinker_scene_block_class(scene, block);
-        if (block_class == NULL || block_class->physics == NULL || block_class->physics->body == NULL) continue;
-        if (block_class->physics->body->degrees_of_freedom > 0) g_array_append_val(bodies, block);
+        if (block_class == NULL || block_class->physics == NULL) continue;
+        if (tinker_block_class_is_wound(block_class)) g_array_append_val(task->wound, block);
+        if (block_class->physics->body == NULL) continue;
+        if (block_class->physics->body->degrees_of_freedom > 0) g_array_append_val(task->bodies, block);
     }
-    return bodies;
 }
 
 TinkerRunTask *tinker_run_task_new(TinkerRunLane *lane, TinkerScene *scene, double start, const GArray *columns,
@@ -86,7 +89,7 @@ TinkerRunTask *tinker_run_task_new(TinkerRunLane *lane, TinkerScene *scene, doub
         const TinkerQuantity *quantity = &g_array_index(columns, TinkerQuantity, i);
         tinker_columns_add_quantity(task->columns, scene, quantity->block, quantity->quantity);
     }
-    task->bodies = movable_bodies(scene);
+    list_blocks(task, scene);
     task->times = g_array_new(FALSE, FALSE, sizeof(double));
     task->warnings = g_ptr_array_new_with_free_func(g_free);
     task->of_scene = g_ptr_array_new_with_free_func(g_free);
@@ -155,6 +158,12 @@ const TinkerBlockId *tinker_run_task_bodies(TinkerRunTask *task, int *count)
     return (const TinkerBlockId *)(gpointer)task->bodies->data;
 }
 
+const TinkerBlockId *tinker_run_task_wound(TinkerRunTask *task, int *count)
+{
+    *count = (int)task->wound->len;
+    return (const TinkerBlockId *)(gpointer)task->wound->data;
+}
+
 int tinker_run_task_column(TinkerRunTask *task, TinkerQuantity quantity)
 {
     for (guint i = 0; i < task->columns->len; i++) {
@@ -173,7 +182,7 @@ static gboolean read_rows(TinkerRunTask *task, gsize first, gsize count, double 
     return there && tinker_record_read(record, first, count, rows, NULL);
 }
 
-gboolean tinker_run_task_read(TinkerRunTask *task, gsize row, double *time, TinkerBodySample *bodies, double *values)
+gboolean tinker_run_task_read(TinkerRunTask *task, gsize row, double *time, TinkerBodySample *bodies, double *lengths)
 {
     g_autofree double *numbers = g_new(double, run_task_row_width(task));
     if (!read_rows(task, row, 1, numbers)) return FALSE;
@@ -181,7 +190,7 @@ gboolean tinker_run_task_read(TinkerRunTask *task, gsize row, double *time, Tink
     const double *next = numbers + 1;
     for (guint i = 0; i < task->bodies->len; i++, next += RUN_TASK_STATE)
         bodies[i] = (TinkerBodySample){next[0], next[1], next[2], next[3], next[4], next[5]};
-    if (values != NULL && task->columns->len > 0) memcpy(values, next, task->columns->len * sizeof(double));
+    if (lengths != NULL) memcpy(lengths, next, task->wound->len * sizeof(double));
     return TRUE;
 }
 

@@ -4,7 +4,7 @@
  * until those of the last one take their place, all at once.
  *
  * The thread works on a scene of its own; everything here may be called from the main thread at any time. A row of the
- * record is a sample: the bodies' states, and the values of the columns. */
+ * record is a sample: the bodies' states, the lengths of what is wound on them, and the values of the columns. */
 #ifndef TINKER_GUI_RUN_TASK_H
 #define TINKER_GUI_RUN_TASK_H
 
@@ -71,13 +71,14 @@ GPtrArray *tinker_run_task_warnings(TinkerRunTask *task, gboolean of_scene);
 guint tinker_run_task_event_count(TinkerRunTask *task);
 void tinker_run_task_add_events(TinkerRunTask *task, double until, GPtrArray *to);
 
-/* The bodies of a row, in order, and the columns. Borrowed; fixed from the start. */
+/* The bodies of a row, in order, what is wound, and the columns. Borrowed; fixed from the start. */
 const TinkerBlockId *tinker_run_task_bodies(TinkerRunTask *task, int *count);
+const TinkerBlockId *tinker_run_task_wound(TinkerRunTask *task, int *count);
 /* Place of a column in a row; -1 where it is not recorded. */
 int tinker_run_task_column(TinkerRunTask *task, TinkerQuantity quantity);
 
-/* Reads one sample: its time, the bodies' states, and (where `values` is not NULL) the columns. */
-gboolean tinker_run_task_read(TinkerRunTask *task, gsize row, double *time, TinkerBodySample *bodies, double *values);
+/* Reads one sample: its time, the bodies' states, and (where it is not NULL) how long (m) is what is wound. */
+gboolean tinker_run_task_read(TinkerRunTask *task, gsize row, double *time, TinkerBodySample *bodies, double *lengths);
 
 /* The value of one column in one sample. */
 gboolean tinker_run_task_value(TinkerRunTask *task, gsize row, int column, double *value);

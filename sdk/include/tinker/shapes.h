@@ -117,6 +117,48 @@ static inline void tinker_connector_bounds(const TinkerInstance *instance, const
     }
 }
 
+/* What hangs between two points, a catenary ---------------------------------------------------------------------- */
+
+#define TINKER_HANGING_POINTS 25
+
+/* The ratio sinh(u) / u that u is to have, by Newton's method; at least 1. */
+static inline double tinker_hanging_parameter(double ratio)
+{
+    double u = ratio < 3.0 ? sqrt(6.0 * (ratio - 1.0)) : log(2.0 * ratio) + log(log(2.0 * ratio));
+    for (int step = 0; step < 30 && u > 0.0; step++) {
+        const double change = (sinh(u) - ratio * u) / (cosh(u) - ratio);
+        u -= change;
+        if (fabs(change) <= 1e-12 * u) break;
+    }
+    return u;
+}
+
+/* Points at equal ways along a line of this length that hangs in -y from (x1, y1) to (x2, y2), as x, y: straight where
+ * it is no longer than the way. With d the span, h = y2 - y1 and sinh(u) / u = (l^2 - h^2)^1/2 / d its parameter is a =
+ * d / (2 u), and its lowest point lies (l - h coth(u)) / 2 along it. */
+static inline void tinker_hanging_line(double x1, double y1, double x2, double y2, double length,
+                                       double points[2 * TINKER_HANGING_POINTS])
+{
+    const double least = 1e-6 * length, h = y2 - y1, along = x2 < x1 ? -1.0 : 1.0;
+    const double span = fabs(x2 - x1) > least ? fabs(x2 - x1) : least;
+    const double ratio = length > fabs(h) ? sqrt((length - h) * (length + h)) / span : 0.0;
+    const int hangs = ratio > 1.0 + 1e-9;
+    const double u = hangs ? tinker_hanging_parameter(ratio) : 1.0, a = span / (2.0 * u);
+    const double lowest = (length - h / tanh(u)) / 2.0;
+    for (int k = 0; k < TINKER_HANGING_POINTS; k++) {
+        const double share = k / (TINKER_HANGING_POINTS - 1.0), s = share * length - lowest;
+        points[2 * k] = x1 + (hangs ? along * a * (asinh(s / a) + asinh(lowest / a)) : share * (x2 - x1));
+        points[2 * k + 1] = y1 + (hangs ? tinker_length(a, s) - tinker_length(a, lowest) : share * h);
+    }
+}
+
+/* The most by which it hangs below the lower of its ends. */
+static inline double tinker_hanging_depth(double y1, double y2, double length)
+{
+    const double slack = length - fabs(y2 - y1);
+    return slack > 0.0 ? slack / 2.0 : 0.0;
+}
+
 /* Arrows --------------------------------------------------------------------------------------------------------- */
 
 typedef struct TinkerArrow {
