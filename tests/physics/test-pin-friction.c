@@ -214,6 +214,26 @@ static void test_not_shared(void)
         g_assert_null(strstr(g_ptr_array_index(run->summary->warnings, i), "share"));
 }
 
+/* A bar of m = 2 kg, l = 1 m about its end: a blow S at its middle gives w = S (l / 2) / (m l^2 / 3), as if the pin
+ * were smooth, and the run says so, once. */
+static void test_struck(void)
+{
+    const double at[] = {1.5, 2.5};
+    g_autoptr(PhysicsRun) run = physics_run(
+        &(PhysicsOptions){.duration = 3, .columns = "Bar 0.angular velocity", .at = at, .at_count = 2},
+        ANCHOR "{'type': 'bar', 'mass': 2, 'length': 1, 'position': [0.5, 0]},"
+               "{'type': 'pin', 'ends': ['Support 0', {'block': 'Bar 0', 'at': [-0.5, 0]}],"
+               " 'friction_radius': 1e-9, 'friction': 0.4},"
+               "{'type': 'impulse', 'ends': ['Bar 0'], 'impulse': 1, 'angle': 1.5707963267948966, 'time': 1},"
+               "{'type': 'impulse', 'ends': ['Bar 0'], 'angular_impulse': 0.5, 'time': 2}");
+    physics_assert_near("struck", physics_value(run, 0, 0), 0.75, 1e-6);
+    physics_assert_near("struck again", physics_value(run, 1, 0), 1.5, 1e-6);
+    const GPtrArray *warnings = run->summary->warnings;
+    g_assert_cmpuint(warnings->len, ==, 1);
+    g_assert_true(
+        g_str_has_prefix(g_ptr_array_index(warnings, 0), "Pin 0: its friction takes no part in the blow at 1 s"));
+}
+
 static void add_tests(void)
 {
     g_test_add_func("/pin-friction/spins-down", test_spins_down);
@@ -225,6 +245,7 @@ static void add_tests(void)
     g_test_add_func("/pin-friction/share", test_share);
     g_test_add_func("/pin-friction/not-shared", test_not_shared);
     g_test_add_func("/pin-friction/one-place", test_one_place);
+    g_test_add_func("/pin-friction/struck", test_struck);
 }
 
 int main(int argc, char **argv)

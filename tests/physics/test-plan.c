@@ -178,6 +178,20 @@ static void test_bare(void)
     assert_holds(full.plan->modelled, "9.81 m/s");
 }
 
+/* Blows leave out the friction of pins, where there is any. */
+static void test_rubbing_pin(void)
+{
+    TinkerRunOptions options = options_of("auto", 0.01, 1e-9, 1);
+    for (int rubs = 0; rubs < 2; rubs++) {
+        g_autofree char *blocks =
+            g_strdup_printf("{'type': 'support', 'solid': false}, {'type': 'disc', 'solid': false},"
+                            "{'type': 'pin', 'ends': ['Support 0', 'Disc 0'], 'friction_radius': 0.1, 'friction': %g}",
+                            0.3 * rubs);
+        g_auto(Planned) planned = plan(blocks, &options);
+        g_assert_cmpint(count_holding(planned.plan->left_out, "friction of pins in blows"), ==, rubs);
+    }
+}
+
 /* Of two bodies at least it is told that nothing holds them apart, whether they could meet or not. */
 static void test_bodies_pass(void)
 {
@@ -434,6 +448,7 @@ static void add_tests(void)
     g_test_add_func("/physics/plan/bare", test_bare);
     g_test_add_func("/physics/plan/contact", test_contact);
     g_test_add_func("/physics/plan/bodies-pass", test_bodies_pass);
+    g_test_add_func("/physics/plan/rubbing-pin", test_rubbing_pin);
     g_test_add_func("/physics/plan/warnings", test_warnings);
     g_test_add_func("/physics/plan/still-stiffness", test_still_stiffness);
     g_test_add_func("/physics/plan/sideways", test_sideways);

@@ -228,9 +228,27 @@ static gboolean strike(TinkerContactChange *change, gboolean again, GError **err
     return !is_squeezed(change) || refuse_squeezed(change, error);
 }
 
+/* Tells, once, of the first pin that a blow passes without its friction. */
+static void warn_of_pins(TinkerContactChange *change)
+{
+    TinkerIslandRun *run = change->run->run;
+    for (guint i = 0; i < change->touches->len && !change->run->warned_pins; i++) {
+        if (!tinker_touch_is_pin(change, i)) continue;
+        const int32_t row = tinker_touch_plate(change, i)->joint_row;
+        change->run->warned_pins = TRUE;
+        tinker_summary_warn_of_scene(
+            &run->summary,
+            g_strdup_printf(_("%s: its friction takes no part in the blow at %.6g s, which passes it as "
+                              "if it were smooth: what follows is the motion without that"),
+                            tinker_scene_block_name(change->model->scene, change->model->constraints.blocks[row]),
+                            run->state.t));
+    }
+}
+
 gboolean tinker_change_strike(TinkerContactChange *change, GError **error)
 {
     const gboolean blow = approaches(change, TINKER_STILL);
+    if (blow || change->trigger.kind == TINKER_TRIGGER_BLOW) warn_of_pins(change);
     if (blow || change->trigger.kind == TINKER_TRIGGER_GAP) {
         g_autofree double *pairs = g_new(double, 2 * change->touches->len + 1);
         if (!note_least_rise(change, pairs)) return tinker_change_refuse(change, change->model->failure, error);

@@ -64,7 +64,8 @@ struct _TinkerContactRun {
     gint64 changes, looks;
     double *orientation;               /* by body */
     double last_impact, passed_impact; /* s */
-    gboolean warned;                   /* that the outcome depends on the law of impact */
+    gboolean warned;                   /* that the outcome depends on the law of impact; */
+    gboolean warned_pins;              /* that a blow passed a pin with friction */
 
     /* the step in progress */
     TinkerState from;                       /* where it began; the books included */

@@ -120,6 +120,8 @@ static void describe_bodies(TinkerPlan *plan, const TinkerModel *model, const Ti
     if (has_long_outline(model))
         say(plan->left_out, _("contact of plates with more than 64 corners: they pass through everything"));
     describe_meeting(plan, model, options);
+    if (model->contacts != NULL && model->contacts->pin_count > 0)
+        say(plan->left_out, _("friction of pins in blows: these pass a pin as if it were smooth"));
 }
 
 static void describe_lines(TinkerPlan *plan, const TinkerModel *model)
