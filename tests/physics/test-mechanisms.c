@@ -103,6 +103,33 @@ static void test_welded_bars(void)
     physics_assert_near("of the last", physics_value(run, 0, 1), falls * (BARS - 0.5), 1e-7 * fabs(falls) * BARS);
 }
 
+/* Bars of 0.1 m and 0.1 kg in one line, let go: m g times how far the middle has fallen is the energy, w^2 = 3 g sin(a)
+ * / l, in some steps, as the motion is that of one bar. */
+static void test_welded_fall(void)
+{
+    enum { BARS = 1000 };
+    g_autoptr(GString) blocks = g_string_new("{'type': 'gravity'}, {'type': 'support', 'solid': false}");
+    for (int i = 0; i < BARS; i++)
+        g_string_append_printf(blocks, ", {'type': 'bar', 'length': 0.1, 'mass': 0.1, 'position': [%.17g, 0]}",
+                               0.1 * (i + 0.5));
+    g_string_append(blocks, ", {'type': 'pin', 'ends': ['Support 0', {'block': 'Bar 0', 'at': [-0.05, 0]}]}");
+    for (int i = 1; i < BARS; i++)
+        g_string_append_printf(blocks,
+                               ", {'type': 'weld', 'ends': [{'block': 'Bar %d', 'at': [0.05, 0]},"
+                               " {'block': 'Bar %d', 'at': [-0.05, 0]}]}",
+                               i - 1, i);
+    g_autoptr(PhysicsRun) run = physics_run(&(PhysicsOptions){.method = "auto",
+                                                              .tolerance = 1e-9,
+                                                              .duration = 1,
+                                                              .columns = "Bar 0.angle, Bar 999.angle, Bar 999.angular "
+                                                                         "velocity"},
+                                            "%s", blocks->str);
+    const double angle = physics_last(run, 0), rate = -sqrt(3 * 9.81 * sin(-angle) / (0.1 * BARS));
+    physics_assert_near("angle of the last", physics_last(run, 1), angle, 1e-8);
+    physics_assert_near("rate", physics_last(run, 2), rate, 1e-8);
+    g_assert_cmpint(run->summary->steps, <, 100);
+}
+
 /* A bar between two nodes of a truss, i + j / 2 for its node (i, j), with a pin to what stands at each of them first.
  */
 static void add_bar(GString *blocks, GPtrArray *nodes, int number, int from, int to)
@@ -162,6 +189,7 @@ static void add_tests(void)
     g_test_add_func("/mechanisms/windows", test_windows);
     g_test_add_func("/mechanisms/chain", test_chain);
     g_test_add_func("/mechanisms/welded-bars", test_welded_bars);
+    g_test_add_func("/mechanisms/welded-fall", test_welded_fall);
     g_test_add_func("/mechanisms/long-truss", test_long_truss);
 }
 

@@ -395,6 +395,22 @@ void tinker_constraints_answer(TinkerModel *model, double *v)
     tinker_constraints_change_speeds(model, all->asked, v);
 }
 
+/* One step of iterative refinement, with the residual of the accelerations themselves: S lambda = -(J a + drift). */
+static double refine(TinkerModel *model, double *a)
+{
+    TinkerConstraints *all = &model->constraints;
+    double *by_point = model->point_acceleration, *change = all->asked;
+    memcpy(by_point, a, (gsize)model->coordinates * sizeof(double));
+    tinker_constraints_rows_times(all, by_point, change);
+    for (int32_t row = 0; row < all->rows; row++)
+        change[row] = -change[row] - all->drift[row];
+    const double left = tinker_constraints_solve(model, change);
+    add_impulse(model, change, a);
+    for (int32_t row = 0; row < all->rows; row++)
+        all->lambda[row] += change[row];
+    return left;
+}
+
 double tinker_constraints_accelerate(TinkerModel *model, double *a)
 {
     TinkerConstraints *all = &model->constraints;
@@ -409,7 +425,7 @@ double tinker_constraints_accelerate(TinkerModel *model, double *a)
         all->lambda[row] = -all->lambda[row] - all->drift[row];
     double left = tinker_constraints_solve(model, all->lambda);
     add_impulse(model, all->lambda, a);
-    return left;
+    return all->rows < TINKER_REFINED_ROWS ? left : refine(model, a);
 }
 
 void tinker_constraints_add_power(TinkerModel *model)

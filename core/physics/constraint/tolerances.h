@@ -33,6 +33,10 @@
 /* No unit; of the push: what holds by more does so by being a little off a straight line alone. Held by:
  * physics-straight-bars, physics-redundant-rods. */
 #define TINKER_HARDEST 1e3
+/* Rows: the condition of S grows with the square of what hangs together, or its fourth power where that is welded. From
+ * so many on, what a solve leaves of J a is more than steps at usual tolerances can stand: it is solved for once more.
+ * Held by: physics-mechanisms. */
+#define TINKER_REFINED_ROWS 512
 /* Rad: rods within this of the direction of another are in line with it, as are those between places that are typed
  * with four or five digits; beyond, their own tensions hold what pushes across. Held by: physics-row-chains,
  * physics-redundant-rods. */
