@@ -290,19 +290,21 @@ static gboolean refuse(GError **error, const char *why)
     return FALSE;
 }
 
-gboolean tinker_modal_basis_fits(int32_t bodies, GError **error)
+gboolean tinker_modal_basis_fits(int32_t coordinates, GError **error)
 {
-    if (bodies <= TINKER_MOST_MODAL_COORDINATES / 2) return TRUE;
+    if (coordinates <= TINKER_MOST_MODAL_COORDINATES) return TRUE;
     g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_RUN,
-                "its %d masses are too many for an analysis of modes (at most %d are)", bodies,
-                TINKER_MOST_MODAL_COORDINATES / 2);
+                "its bodies have %d coordinates, too many for an analysis of modes (at most %d are, those of %d masses "
+                "or of %d bodies that turn)",
+                coordinates, TINKER_MOST_MODAL_COORDINATES, TINKER_MOST_MODAL_COORDINATES / 2,
+                TINKER_MOST_MODAL_COORDINATES / 3);
     return FALSE;
 }
 
 TinkerModalBasis *tinker_modal_basis_new(const TinkerLinearisation *linear, GError **error)
 {
     Work work = {.linear = linear, .n = linear->size};
-    if (!tinker_modal_basis_fits(linear->size / 2, error)) return NULL;
+    if (!tinker_modal_basis_fits(linear->size, error)) return NULL;
     g_autoptr(TinkerModalBasis) basis = g_new0(TinkerModalBasis, 1);
     gboolean done = work.n == 0 || start_basis(&work);
     work.squares = g_new0(double, MAX(work.m, 1));

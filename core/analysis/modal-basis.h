@@ -21,8 +21,8 @@ typedef struct {
     double *following; /* count by count: what of V^T K V is not symmetric (1/s^2); NULL: nothing */
 } TinkerModalBasis;
 
-/* Whether a model of so many bodies is small enough; with an error like the one below where not. */
-gboolean tinker_modal_basis_fits(int32_t bodies, GError **error);
+/* Whether a model of so many coordinates is small enough; with an error like the one below where not. */
+gboolean tinker_modal_basis_fits(int32_t coordinates, GError **error);
 
 /* Errors: TINKER_MODEL_ERROR_RUN where it is too large, or numbers leave their range. (transfer full) */
 TinkerModalBasis *tinker_modal_basis_new(const TinkerLinearisation *linear, GError **error);

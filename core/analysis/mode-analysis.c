@@ -7,7 +7,7 @@ static gboolean analyse(TinkerModeAnalysis *analysis, gboolean rest, GError **er
 {
     const int32_t coordinates = tinker_model_sizes(analysis->model).coordinates;
     // Before anything is worked out: what is too large takes much time and memory until it is refused.
-    if (!tinker_modal_basis_fits((coordinates + 1) / 2, error)) return FALSE;
+    if (!tinker_modal_basis_fits(coordinates, error)) return FALSE;
     analysis->q = g_new0(double, MAX(coordinates, 1));
     tinker_model_start_places(analysis->model, analysis->q);
     analysis->contacts = tinker_still_contacts_new(analysis->model);

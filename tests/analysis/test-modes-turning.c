@@ -1,5 +1,6 @@
 /* Modes of bodies that turn, against closed forms. */
 #include <math.h>
+#include <string.h>
 
 #include "modes-fixture.h"
 
@@ -50,11 +51,25 @@ static void test_straight_bar(void)
     g_assert_cmpuint(a->analysis->modes->len, ==, 1);
 }
 
+/* 401 discs have 1203 coordinates: the refusal counts what there is, and says how many there may be. */
+static void test_too_many(void)
+{
+    g_autoptr(GString) blocks = g_string_new("{'type': 'gravity'}");
+    for (int i = 0; i < 401; i++)
+        g_string_append_printf(blocks, ", {'type': 'disc', 'solid': false, 'position': [%d, 0]}", i);
+    g_autoptr(TinkerScene) scene = physics_scene(NULL, blocks->str);
+    g_autoptr(GError) error = NULL;
+    g_assert_null(tinker_mode_analysis_new(scene, FALSE, &error));
+    g_assert_nonnull(strstr(error->message, "1203 coordinates"));
+    g_assert_nonnull(strstr(error->message, "400 bodies that turn"));
+}
+
 static void add_tests(void)
 {
     g_test_add_func("/modes/bars", test_bars);
     g_test_add_func("/modes/bar-on-springs", test_bar_on_springs);
     g_test_add_func("/modes/straight-bar", test_straight_bar);
+    g_test_add_func("/modes/too-many", test_too_many);
 }
 
 int main(int argc, char **argv)
