@@ -160,27 +160,37 @@ static int is_slack(const TinkerInstance *instance, const Tangent *t)
     return length - t->free > VISIBLY_SLACK * length;
 }
 
+/* The line of its free part; how many points it has. */
+static int32_t free_line(const TinkerInstance *instance, const Tangent *t, double points[2 * TINKER_HANGING_POINTS])
+{
+    const TinkerEnd *b = &instance->end[1];
+    double touch[2];
+    touch_of(instance, t, touch);
+    if (is_slack(instance, t)) {
+        tinker_hanging_line(touch[0], touch[1], b->x, b->y, instance->columns[COLUMN_LENGTH], points);
+        return TINKER_HANGING_POINTS;
+    }
+    points[0] = touch[0];
+    points[1] = touch[1];
+    points[2] = b->x;
+    points[3] = b->y;
+    return 2;
+}
+
 static void draw(const TinkerInstance *instance, struct _cairo *cairo, const TinkerStyle *style)
 {
-    const TinkerEnd *a = &instance->end[0], *b = a + 1;
+    const TinkerEnd *a = &instance->end[0];
     const double radius = instance->columns[COLUMN_RADIUS], sigma = side_of(instance->columns[COLUMN_SIDE]);
     const Tangent t = drawn(instance);
-    const int slack = is_slack(instance, &t);
-    const int32_t colour = slack ? TINKER_COLOUR_COMPRESSED : TINKER_COLOUR_CONNECTOR;
-    double touch[2], points[2 * RINGS + 2], free[2 * TINKER_HANGING_POINTS];
-    touch_of(instance, &t, touch);
+    const int32_t colour = is_slack(instance, &t) ? TINKER_COLOUR_COMPRESSED : TINKER_COLOUR_CONNECTOR;
+    double points[2 * RINGS + 2], free[2 * TINKER_HANGING_POINTS];
     for (int k = 0; k <= RINGS; k++) { /* the wound part begins where the free one ends */
         const double angle = t.angle + sigma * 2.0 * TINKER_PI * k / RINGS;
         points[2 * k] = a->x + radius * cos(angle);
         points[2 * k + 1] = a->y + radius * sin(angle);
     }
     style->polyline(style, cairo, TINKER_COLOUR_CONNECTOR, points, RINGS + 1);
-    if (slack) {
-        tinker_hanging_line(touch[0], touch[1], b->x, b->y, instance->columns[COLUMN_LENGTH], free);
-        style->polyline(style, cairo, colour, free, TINKER_HANGING_POINTS);
-    } else {
-        style->line(style, cairo, colour, touch[0], touch[1], b->x, b->y);
-    }
+    style->polyline(style, cairo, colour, free, free_line(instance, &t, free));
     tinker_ends_draw_marks(instance, cairo, style);
 }
 
@@ -206,12 +216,15 @@ static int32_t hit(const TinkerInstance *instance, double x, double y, double re
     const Tangent t = drawn(instance);
     const double out = tinker_length(x - instance->end[0].x, y - instance->end[0].y);
     const int32_t part = tinker_ends_hit(instance, x, y, reach);
-    double touch[2];
-    touch_of(instance, &t, touch);
     if (part != TINKER_PART_NONE) return part;
     if (fabs(out - instance->columns[COLUMN_RADIUS]) <= reach) return TINKER_PART_WHOLE;
-    const double off = tinker_segment_distance(x, y, touch[0], touch[1], instance->end[1].x, instance->end[1].y);
-    return off <= reach ? TINKER_PART_WHOLE : TINKER_PART_NONE;
+    double line[2 * TINKER_HANGING_POINTS];
+    const int32_t points = free_line(instance, &t, line);
+    for (int32_t k = 1; k < points; k++) {
+        const double *p = line + 2 * k;
+        if (tinker_segment_distance(x, y, p[-2], p[-1], p[0], p[1]) <= reach) return TINKER_PART_WHOLE;
+    }
+    return TINKER_PART_NONE;
 }
 
 static int32_t handles(const TinkerInstance *instance, TinkerHandle *list, int32_t room)
