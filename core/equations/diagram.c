@@ -77,7 +77,8 @@ static void add_forces(TinkerDiagram *diagram, TinkerScene *scene, const TinkerM
                                           .torque = acting->torque,
                                           .on = acting->on,
                                           .partner = partners[0],
-                                          .second = partners[1]};
+                                          .second = partners[1],
+                                          .end = tinker_scene_end_count(scene, acting->by) > 2 ? acting->end + 1 : 0};
         g_array_append_val(diagram->forces, force);
     }
 }

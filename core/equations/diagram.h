@@ -14,6 +14,7 @@ typedef struct {
     TinkerBlockId on;      /* which of the bodies it acts on */
     TinkerBlockId partner; /* the block at the other end, on which the opposite force acts; -1: none */
     TinkerBlockId second;  /* of a rope over a wheel: the other neighbour on its path; else -1 */
+    int32_t end;           /* of what has more than two ends: the number of the one it acts at, from 1 on; else 0 */
 } TinkerDiagramForce;
 
 typedef struct {

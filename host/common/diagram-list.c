@@ -79,6 +79,16 @@ static char *name_of(const DiagramDrawing *drawing, guint number)
     return drawing->numbered ? g_strdup_printf("%u  %s", number + 1, name) : g_steal_pointer(&name);
 }
 
+/* On whom the opposite is; of a rope over a wheel where its two spans go. (transfer full) */
+static char *partner_of(const DiagramDrawing *drawing, const TinkerDiagramForce *force)
+{
+    if (force->partner < 0) return g_strdup("");
+    const char *partner = tinker_scene_block_name(drawing->scene, force->partner);
+    return force->second < 0
+               ? g_strdup_printf(_("opposite on %s"), partner)
+               : g_strdup_printf(_("on to %s and %s"), partner, tinker_scene_block_name(drawing->scene, force->second));
+}
+
 /* What is listed. */
 typedef struct {
     guint most; /* forces */
@@ -96,11 +106,8 @@ static GArray *list_of(const DiagramDrawing *drawing, double width, ListChoice c
     if (drawing->forces->len + drawing->torques->len > 0 || diagram->moves) add_head(rows);
     for (guint i = 0; i < drawing->forces->len && i < most; i++) {
         const TinkerDiagramForce *force = &g_array_index(drawing->forces, TinkerDiagramForce, i);
-        char *partner = force->partner < 0 ? g_strdup("")
-                                           : g_strdup_printf(_("opposite on %s"),
-                                                             tinker_scene_block_name(drawing->scene, force->partner));
         add_row(drawing, rows, name_of(drawing, i), force->force,
-                tinker_arrow_colour(theme, diagram_arrow_kind(force->kind)), partner);
+                tinker_arrow_colour(theme, diagram_arrow_kind(force->kind)), partner_of(drawing, force));
     }
     if (drawing->forces->len > most) {
         const ListRow more = {NULL, {g_strdup_printf(_("and %u more"), drawing->forces->len - most)}};

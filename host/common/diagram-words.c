@@ -133,7 +133,8 @@ char *diagram_force_name(const DiagramDrawing *drawing, const TinkerDiagramForce
     const char *from = tinker_scene_block_name(drawing->scene, force->from);
     return diagram_is_of_contact(force)
                ? g_strdup_printf("%s (%s)", from, tinker_force_arrow_word(diagram_arrow_kind(force->kind)))
-               : g_strdup(from);
+           : force->end > 0 ? g_strdup_printf(_("%s, end %d"), from, force->end)
+                            : g_strdup(from);
 }
 
 gboolean diagram_is_broken(const DiagramDrawing *drawing, double size)

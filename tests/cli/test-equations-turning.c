@@ -195,6 +195,9 @@ static void test_spans(CliFixture *fixture, gconstpointer data)
     const double expected = 9.81;
     assert_near(symbol_of(root, "λ"), -expected, 1e-12);
     cJSON_Delete(root);
+    static const char *const rows[] = {"Rope, end 2  constraint", "on to M1 and Beam\n", "Rope, end 3  constraint",
+                                       "on to Beam and M2\n", NULL};
+    assert_page_holds(fixture, "diagram @scene.json --block Beam", rows);
 }
 
 static void assert_all_written(const cJSON *root)

@@ -45,6 +45,13 @@ static double moment_of(const TinkerDiagram *diagram, const TinkerDiagramForce *
            (force->point[1] - diagram->centre[1]) * force->force[0] + force->torque;
 }
 
+/* Of what acts at several ends of a rope with the number of the end. (transfer full) */
+static char *name_of(TinkerScene *scene, const TinkerDiagramForce *force)
+{
+    const char *from = tinker_scene_block_name(scene, force->from);
+    return force->end > 0 ? g_strdup_printf("%s, end %d", from, force->end) : g_strdup(from);
+}
+
 /* What the other end has: (transfer full) */
 static char *partner_of(TinkerScene *scene, const TinkerDiagramForce *force)
 {
@@ -81,9 +88,8 @@ void tinker_diagram_write_text(const TinkerDiagram *diagram, TinkerScene *scene,
     if (diagram->forces->len > 0 || diagram->moves) add_head(&to);
     for (guint i = 0; i < diagram->forces->len; i++) {
         const TinkerDiagramForce *force = &g_array_index(diagram->forces, TinkerDiagramForce, i);
-        g_autofree char *partner = partner_of(scene, force);
-        add_row(&to, tinker_scene_block_name(scene, force->from), tinker_term_kind_name(force->kind), force->force,
-                moment_of(diagram, force), partner);
+        g_autofree char *partner = partner_of(scene, force), *name = name_of(scene, force);
+        add_row(&to, name, tinker_term_kind_name(force->kind), force->force, moment_of(diagram, force), partner);
     }
     if (diagram->moves) add_row(&to, turns ? "= m a, I α" : "= m a", "", diagram->kinetic, diagram->turning, "");
     tinker_text_table_write(table, file);
