@@ -119,36 +119,54 @@ static void bound_definitions(TinkerEquations *equations)
     }
 }
 
-/* Of all terms on the bodies that an unknown force acts on: of forces, or of moments where it is one; their roundings.
- */
-static double rounding_of_loads(const TinkerEquations *equations, const char *unknown, gboolean moment)
+/* Which of these unknowns an expression has. */
+static void find_unknowns(const TinkerExpression *node, GHashTable *unknowns, GHashTable *found)
 {
-    double sum = 0;
-    for (guint i = 0; i < equations->bodies->len; i++) {
-        const TinkerBodyEquation *body = g_ptr_array_index(equations->bodies, i);
-        gboolean acts = FALSE;
-        double loads = 0;
-        for (guint k = 0; k < body->terms->len; k++) {
-            const TinkerTerm *term = &g_array_index(body->terms, TinkerTerm, k);
-            const TinkerExpression *const parts[] = {term->x, term->y, term->torque};
-            for (int n = 0; n < (term->torque != NULL ? 3 : 2); n++)
-                acts = acts || tinker_expression_uses(parts[n], unknown);
-            for (int n = moment ? 2 : 0; n < (moment ? 3 : 2) && parts[n] != NULL; n++)
-                loads += tinker_equations_rounding(equations, parts[n]);
-        }
-        if (acts) sum += loads;
+    if (node->kind == TINKER_EXPRESSION_SYMBOL) {
+        if (g_hash_table_contains(unknowns, node->name)) g_hash_table_add(found, (gpointer)node->name);
+        return;
     }
-    return sum;
+    for (int i = 0; i < node->count; i++)
+        find_unknowns(node->parts[i], unknowns, found);
 }
 
+/* Adds the roundings of all forces on a body, or of all moments, to those unknowns that act on it. */
+static void add_loads(const TinkerEquations *equations, const TinkerBodyEquation *body, gboolean moment,
+                      GHashTable *unknowns)
+{
+    g_autoptr(GHashTable) acting = g_hash_table_new(g_str_hash, g_str_equal);
+    double loads = 0;
+    for (guint k = 0; k < body->terms->len; k++) {
+        const TinkerTerm *term = &g_array_index(body->terms, TinkerTerm, k);
+        const TinkerExpression *const parts[] = {term->x, term->y, term->torque};
+        for (int n = 0; n < (term->torque != NULL ? 3 : 2); n++) {
+            find_unknowns(parts[n], unknowns, acting);
+            if ((n == 2) == moment) loads += tinker_equations_rounding(equations, parts[n]);
+        }
+    }
+    GHashTableIter each;
+    gpointer name;
+    g_hash_table_iter_init(&each, acting);
+    while (g_hash_table_iter_next(&each, &name, NULL))
+        *(double *)g_hash_table_lookup(unknowns, name) += loads;
+}
+
+/* An unknown of a kind, forces or moments, has those of all loads on the bodies that it acts on. */
 static void bound_unknowns(TinkerEquations *equations, TinkerDimension dimension, gboolean moment)
 {
+    g_autoptr(GHashTable) unknowns = g_hash_table_new_full(g_str_hash, g_str_equal, NULL, g_free);
     for (guint i = 0; i < equations->symbols->len; i++) {
         const TinkerEquationSymbol *symbol = g_ptr_array_index(equations->symbols, i);
         if (symbol->quantity != NULL && tinker_dimension_equal(symbol->dimension, dimension))
-            tinker_equations_set_rounding(equations, symbol->name,
-                                          SOLVE * rounding_of_loads(equations, symbol->name, moment));
+            g_hash_table_insert(unknowns, symbol->name, g_new0(double, 1));
     }
+    for (guint i = 0; i < equations->bodies->len; i++)
+        add_loads(equations, g_ptr_array_index(equations->bodies, i), moment, unknowns);
+    GHashTableIter each;
+    gpointer name, loads;
+    g_hash_table_iter_init(&each, unknowns);
+    while (g_hash_table_iter_next(&each, &name, &loads))
+        tinker_equations_set_rounding(equations, name, SOLVE * *(double *)loads);
 }
 
 /* Moments have those of the forces in them, and some definitions those of both. */
