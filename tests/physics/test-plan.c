@@ -192,6 +192,22 @@ static void test_rubbing_pin(void)
     }
 }
 
+/* A rope over the middle of a disc does not turn it; one over a support leaves nothing out. */
+static void test_wheel_under_a_rope(void)
+{
+    TinkerRunOptions options = options_of("auto", 0.01, 1e-9, 1);
+    for (int heavy = 0; heavy < 2; heavy++) {
+        g_autofree char *blocks =
+            g_strdup_printf("{'type': 'support', 'solid': false}, {'type': 'disc', 'solid': false},"
+                            "{'type': 'mass', 'position': [-1, -2]}, {'type': 'mass', 'position': [1, -2]},"
+                            "{'type': 'pin', 'ends': ['Support 0', 'Disc 0']},"
+                            "{'type': 'rope', 'ends': ['Mass 0', '%s', 'Mass 1']}",
+                            heavy ? "Disc 0" : "Support 0");
+        g_auto(Planned) planned = plan(blocks, &options);
+        g_assert_cmpint(count_holding(planned.plan->left_out, "Rope 0 slides over Disc 0"), ==, heavy);
+    }
+}
+
 /* Of two bodies at least it is told that nothing holds them apart, whether they could meet or not. */
 static void test_bodies_pass(void)
 {
@@ -449,6 +465,7 @@ static void add_tests(void)
     g_test_add_func("/physics/plan/contact", test_contact);
     g_test_add_func("/physics/plan/bodies-pass", test_bodies_pass);
     g_test_add_func("/physics/plan/rubbing-pin", test_rubbing_pin);
+    g_test_add_func("/physics/plan/wheel-under-a-rope", test_wheel_under_a_rope);
     g_test_add_func("/physics/plan/warnings", test_warnings);
     g_test_add_func("/physics/plan/still-stiffness", test_still_stiffness);
     g_test_add_func("/physics/plan/sideways", test_sideways);

@@ -96,6 +96,35 @@ static gboolean has_long_outline(const TinkerModel *model)
     return FALSE;
 }
 
+/* The body about whose centre a rope bends, as about a wheel, that could turn; TINKER_NO_BLOCK. */
+static TinkerBlockId wheel_under(const TinkerModel *model, TinkerBlockId rope)
+{
+    const int32_t last = tinker_scene_end_count(model->scene, rope) - 1;
+    for (int32_t e = 1; e < last; e++) {
+        const TinkerSceneEnd end = tinker_scene_end(model->scene, rope, e);
+        const int32_t body = tinker_model_centre(model, end.block);
+        if (body >= 0 && tinker_model_turn_of(model, body) >= 0 && end.x == 0 && end.y == 0) return end.block;
+    }
+    return TINKER_NO_BLOCK;
+}
+
+/* What a rope goes over it does not turn, which its picture does not show. */
+static void describe_wheels(TinkerPlan *plan, const TinkerModel *model)
+{
+    for (guint i = 0; model->turning > 0 && i < model->batches->len; i++) {
+        const TinkerBlockBatch *batch = g_ptr_array_index(model->batches, i);
+        const TinkerPhysics *physics = batch->block_class->physics;
+        if (physics == NULL || physics->constraint == NULL || !physics->constraint->unilateral) continue;
+        for (int32_t row = 0; row < batch->count; row++) {
+            const TinkerBlockId wheel = wheel_under(model, batch->ids[row]);
+            if (wheel == TINKER_NO_BLOCK) continue;
+            say(plan->left_out, _("turning of wheels by ropes: %s slides over %s (cords wound on it turn it)"),
+                tinker_scene_block_name(model->scene, batch->ids[row]), tinker_scene_block_name(model->scene, wheel));
+            return;
+        }
+    }
+}
+
 static void describe_bodies(TinkerPlan *plan, const TinkerModel *model, const TinkerRunOptions *options)
 {
     char text[128];
@@ -122,6 +151,7 @@ static void describe_bodies(TinkerPlan *plan, const TinkerModel *model, const Ti
     describe_meeting(plan, model, options);
     if (model->contacts != NULL && model->contacts->pin_count > 0)
         say(plan->left_out, _("friction of pins in blows: these pass a pin as if it were smooth"));
+    describe_wheels(plan, model);
 }
 
 static void describe_lines(TinkerPlan *plan, const TinkerModel *model)
