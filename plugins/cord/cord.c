@@ -190,7 +190,10 @@ static void draw(const TinkerInstance *instance, struct _cairo *cairo, const Tin
         points[2 * k + 1] = a->y + radius * sin(angle);
     }
     style->polyline(style, cairo, TINKER_COLOUR_CONNECTOR, points, RINGS + 1);
-    style->polyline(style, cairo, colour, free, free_line(instance, &t, free));
+    if (free_line(instance, &t, free) == 2)
+        style->line(style, cairo, colour, free[0], free[1], free[2], free[3]);
+    else
+        style->polyline(style, cairo, colour, free, TINKER_HANGING_POINTS);
     tinker_ends_draw_marks(instance, cairo, style);
 }
 
