@@ -353,6 +353,7 @@ static void allot_end_points(TinkerModel *model)
     const guint batches = model->batches->len;
     gsize points = 0;
     gboolean any_angles = FALSE;
+    if (batches == 0) return;
     for (guint i = 0; i < batches; i++) {
         const TinkerBlockBatch *batch = g_ptr_array_index(model->batches, i);
         points += end_point_count(batch);
