@@ -119,7 +119,7 @@ static inline void tinker_connector_bounds(const TinkerInstance *instance, const
 
 /* What hangs between two points, a catenary ---------------------------------------------------------------------- */
 
-#define TINKER_HANGING_POINTS 25
+#define TINKER_HANGING_POINTS 49
 
 /* The ratio sinh(u) / u that u is to have, by Newton's method; at least 1. */
 static inline double tinker_hanging_parameter(double ratio)
