@@ -25,6 +25,9 @@ typedef struct {
 gboolean tinker_decide(const TinkerIsland *island, const TinkerRunOptions *options, const TinkerSpectrum *spectrum,
                        TinkerDecision *decision, GPtrArray *warnings, GError **error);
 
+/* FALSE, with what to change in `error`, where the island has what contacts as impulses do not know. */
+gboolean tinker_plan_check_impulses(const TinkerIsland *island, GError **error);
+
 /* A step (s) that is stable and resolves what carries energy; `stable` may be INFINITY. */
 double tinker_advised_step(const TinkerForecast *forecast, double stable);
 
