@@ -189,12 +189,24 @@ static void accelerate(void *data, int32_t first, int32_t end)
     }
 }
 
-/* The accelerations of turns. */
-static G_NO_INLINE void turn(TinkerModel *model, double *a)
+/* Whether there is any force beside those that make the constant accelerations. */
+static inline gboolean has_forces(const TinkerModel *model)
+{
+    return model->lines.count > 0 || model->more_than_lines;
+}
+
+/* What acts on attachments goes to the bodies. */
+static void take_forces_in(TinkerModel *model)
 {
     for (int32_t point = model->first_attachment; point < model->first_support; point++)
         memcpy(tinker_model_attachment(model, point)->force, model->force + 2 * point, 2 * sizeof(double));
     tinker_model_reduce_forces(model);
+}
+
+/* The accelerations of turns. */
+static G_NO_INLINE void turn(TinkerModel *model, double *a)
+{
+    if (has_forces(model)) take_forces_in(model);
     for (int32_t k = 0; k < model->turning; k++) {
         const int32_t at = 2 * model->bodies + k;
         a[at] = model->constant_acceleration[at] + model->force[at] * model->inverse_mass[model->turns[k].body];
@@ -206,8 +218,7 @@ static inline double lines_forces(TinkerModel *model)
 {
     double taken = 0;
     if (model->line_parts != NULL) return tinker_line_parts_forces(model);
-    if (model->lines.count > 0 || model->more_than_lines)
-        memset(model->force, 0, 2 * (gsize)model->points * sizeof(double));
+    if (has_forces(model)) memset(model->force, 0, 2 * (gsize)model->points * sizeof(double));
     if (model->lines.count > 0) tinker_lines_add_forces(&model->lines, model->point, model->force, &taken);
     return taken;
 }

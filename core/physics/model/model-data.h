@@ -58,6 +58,7 @@ typedef struct {
     double place;        /* m: along its coordinate, now; not a number as long as nobody has set it */
     double angle;        /* rad, counting turns: now */
     double cosine, sine; /* of it */
+    double x, y;         /* where the body's centre was when its attachments were last put where they are */
     int32_t first_attachment, end_attachment; /* the points of what is attached to the body */
 } TinkerTurn;
 

@@ -89,18 +89,26 @@ TinkerStatus tinker_model_change_time(TinkerModel *model, double t)
  * a force F there is F on the centre and the torque R(a) r x F, or that divided by the radius of gyration along the
  * coordinate of the turn. */
 
+/* What is attached to a body that turns. */
+static inline TinkerAttachment *attachments_of(const TinkerModel *model, const TinkerTurn *turn)
+{
+    return (TinkerAttachment *)(void *)model->attachments->data + (turn->first_attachment - model->first_attachment);
+}
+
 static void set_turn_rates(TinkerModel *model, const double *v)
 {
     TinkerPoint *restrict points = model->point;
-    const TinkerAttachment *at = (const TinkerAttachment *)(const void *)model->attachments->data;
     for (int32_t k = 0; k < model->turning; k++) {
         TinkerTurn *turn = &model->turns[k];
-        const TinkerPoint centre = points[turn->body];
-        const double rate = turn->rate = v[2 * model->bodies + k] * turn->by_gyration;
-        turn->speed = v[2 * model->bodies + k];
-        for (int32_t point = turn->first_attachment; point < turn->end_attachment; point++, at++) {
-            points[point].vx = at->turn ? rate : centre.vx - rate * at->arm[1];
-            if (!at->turn) points[point].vy = centre.vy + rate * at->arm[0];
+        const double speed = v[2 * model->bodies + k], rate = speed * turn->by_gyration;
+        const double vx = points[turn->body].vx, vy = points[turn->body].vy;
+        const TinkerAttachment *at = attachments_of(model, turn);
+        turn->speed = speed;
+        turn->rate = rate;
+        TinkerPoint *const end = points + turn->end_attachment;
+        for (TinkerPoint *point = points + turn->first_attachment; point < end; point++, at++) {
+            point->vx = at->turn ? rate : vx - rate * at->arm[1];
+            if (!at->turn) point->vy = vy + rate * at->arm[0];
         }
     }
 }
@@ -117,27 +125,36 @@ static inline gboolean set_angle(TinkerTurn *turn, double place)
     return TRUE;
 }
 
-static inline void turn_arm(TinkerAttachment *at, const TinkerTurn *turn)
+static inline void turn_arm(TinkerAttachment *at, double cosine, double sine)
 {
-    at->arm[0] = turn->cosine * at->x - turn->sine * at->y;
-    at->arm[1] = turn->sine * at->x + turn->cosine * at->y;
+    at->arm[0] = cosine * at->x - sine * at->y;
+    at->arm[1] = sine * at->x + cosine * at->y;
+}
+
+static inline void put_attachments(TinkerModel *model, TinkerTurn *turn, gboolean turned)
+{
+    const double x = turn->x, y = turn->y, angle = turn->angle, cosine = turn->cosine, sine = turn->sine;
+    TinkerAttachment *at = attachments_of(model, turn);
+    TinkerPoint *const end = model->point + turn->end_attachment;
+    for (TinkerPoint *point = model->point + turn->first_attachment; point < end; point++, at++) {
+        if (turned && !at->turn) turn_arm(at, cosine, sine);
+        point->x = at->turn ? angle : x + at->arm[0];
+        if (!at->turn) point->y = y + at->arm[1];
+    }
 }
 
 void tinker_model_set_angles(TinkerModel *model, const double *q)
 {
-    TinkerPoint *restrict points = model->point;
-    TinkerAttachment *at = (TinkerAttachment *)(void *)model->attachments->data;
     gboolean any = FALSE;
     for (int32_t k = 0; k < model->turning; k++) {
         TinkerTurn *turn = &model->turns[k];
+        const TinkerPoint *centre = &model->point[turn->body];
         const gboolean turned = set_angle(turn, q[2 * model->bodies + k]);
         any |= turned;
-        const double x = points[turn->body].x, y = points[turn->body].y;
-        for (int32_t point = turn->first_attachment; point < turn->end_attachment; point++, at++) {
-            if (turned && !at->turn) turn_arm(at, turn);
-            points[point].x = at->turn ? turn->angle : x + at->arm[0];
-            if (!at->turn) points[point].y = y + at->arm[1];
-        }
+        if (!turned && turn->x == centre->x && turn->y == centre->y) continue;
+        turn->x = centre->x;
+        turn->y = centre->y;
+        put_attachments(model, turn, turned);
     }
     model->turned |= any;
 }

@@ -331,11 +331,7 @@ TinkerStatus tinker_jacobian_row_masses(TinkerJacobian *self, double t, const do
     TinkerModel *model = self->model;
     TinkerStatus status = tinker_model_set_time(model, t);
     if (status != TINKER_OK) return status;
-    for (int32_t i = 0; i < model->bodies; i++) {
-        model->point[i].x = q[2 * i];
-        model->point[i].y = q[2 * i + 1];
-    }
-    if (model->turning > 0) tinker_model_set_angles(model, q);
+    tinker_model_set_places(model, q);
     status = tinker_constraints_evaluate(model);
     if (status != TINKER_OK) return status;
     memset(values, 0, sizeof(double) * (gsize)self->pattern.entries);

@@ -100,10 +100,26 @@ static TinkerStatus apply_friction(TinkerModelSystem *self, double *a, gboolean 
     return status;
 }
 
+/* Where nothing that acts feels velocities, a step that goes on to project them need not say them twice. */
+static TinkerStatus applied_at_place(TinkerModelSystem *self, double t, const double *q, double *a)
+{
+    TinkerStatus status = tinker_model_set_time(self->model, t);
+    if (status != TINKER_OK) return status;
+    tinker_model_set_places(self->model, q);
+    return tinker_model_applied(self->model, a, FALSE);
+}
+
+static gboolean feels_places_alone(const TinkerModelSystem *self)
+{
+    return is_held(self) && !(self->system.flags & TINKER_SYSTEM_VELOCITY_DEPENDENT) &&
+           !tinker_contacts_act(self->model->contacts);
+}
+
 /* The applied accelerations leave the constraints out, the power does not: a support gives through its rods too. */
 static TinkerStatus applied(void *context, double t, const double *q, const double *v, double *a, double *power)
 {
     TinkerModelSystem *self = context;
+    if (power == NULL && feels_places_alone(self)) return applied_at_place(self, t, q, a);
     TinkerStatus status = applied_at(self, t, q, v, a, power != NULL);
     if (status != TINKER_OK) return status;
     if (tinker_contacts_act(self->model->contacts)) {
