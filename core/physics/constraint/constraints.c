@@ -198,7 +198,7 @@ void tinker_constraints_rows_times(const TinkerConstraints *all, const double *b
         out[all->turns[k].row] += j[2 * all->entries + k] * by_point[all->turns[k].coordinate];
 }
 
-void tinker_constraints_rates(const TinkerModel *model, double *out)
+static void rates_of_entries(const TinkerModel *model, double *out)
 {
     const TinkerConstraints *all = &model->constraints;
     const double *restrict j = all->jacobian;
@@ -214,6 +214,37 @@ void tinker_constraints_rates(const TinkerModel *model, double *out)
 #undef ROW_RATE
     for (int32_t k = 0; k < all->turn_count; k++)
         out[all->turns[k].row] += j[2 * all->entries + k] * model->turns[all->turns[k].turn].speed;
+}
+
+/* What J v comes to in the entries -1 and 1 of two points, and in the columns of their bodies' turns. */
+static void rates_of_gaps(const TinkerModel *model, double *out)
+{
+    const TinkerConstraints *all = &model->constraints;
+    for (guint p = 0; p < all->batches->len; p++) {
+        const TinkerConstraintBatch *part = &g_array_index(all->batches, TinkerConstraintBatch, p);
+        for (int32_t row = part->first_row; row < part->first_row + part->row_count; row += 2) {
+            const int32_t *points = all->points + all->row_starts[row], first = tinker_row_turns(all, row);
+            const TinkerPoint *a = &model->point[points[0]], *b = &model->point[points[1]];
+            const int32_t turns = tinker_row_turns(all, row + 1) - first;
+            const double *column = all->jacobian + 2 * all->entries + first;
+            double rate[2] = {b->vx - a->vx, b->vy - a->vy};
+            for (int32_t k = 0; k < turns; k++) {
+                const double speed = model->turns[all->turns[first + k].turn].speed;
+                rate[0] += column[k] * speed;
+                rate[1] += column[turns + k] * speed;
+            }
+            memcpy(out + row, rate, sizeof(rate));
+        }
+    }
+}
+
+void tinker_constraints_rates(const TinkerModel *model, double *out)
+{
+    const TinkerConstraints *all = &model->constraints;
+    if (tinker_constraints_are_gaps(model))
+        rates_of_gaps(model, out);
+    else
+        rates_of_entries(model, out);
     for (int32_t row = 0; all->prescribed && row < all->rows; row++)
         out[row] += all->rate[row];
 }
