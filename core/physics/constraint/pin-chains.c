@@ -1,9 +1,10 @@
 /* Chains of pinned bodies; see the header.
  *
- * A chain of m blocks runs over m + 1 nodes, block i from node i to node i + 1. With w the inverse mass of a node (0
- * for a support), and U_i, D_i the 2 x 3 parts of block i's Jacobian on the node before and the one behind it:
+ * A chain of m blocks runs over m + 1 nodes, block i from node i to node i + 1. Of ends that coincide a block's
+ * Jacobian has on the node before it (u I, U_i) and on the one behind it (d I, D_i), with u and d 1 or -1 and the
+ * columns of the turns U_i and D_i. With w the inverse mass of a node (0 for a support):
  *
- *   S_ii = w_i U_i U_i^T + w_(i+1) D_i D_i^T,   S_i,i+1 = w_(i+1) D_i U_(i+1)^T.
+ *   S_ii = w_i (I + U_i U_i^T) + w_(i+1) (I + D_i D_i^T),   S_i,i+1 = w_(i+1) (d_i u_(i+1) I + D_i U_(i+1)^T).
  *
  * Tested through bars in tests/physics/test-mechanisms.c, against the general factorisation. */
 #include "physics/constraint/pin-chains.h"
@@ -15,10 +16,10 @@
 
 /* One side of a block: where it stands in the model's arrays. */
 typedef struct {
-    int32_t entry[ROWS]; /* where its entries begin in the Jacobian */
-    int32_t turn[ROWS];  /* where those of its turn stand; -1: none */
+    int32_t turn[ROWS]; /* where the entries of its turn stand in the Jacobian; -1: none */
     int32_t point;
     int32_t coordinate; /* of its turn; -1: it has none */
+    double sign;        /* of its entries */
     double mobility;    /* 1/kg: of the node; 0: a support */
 } Side;
 
@@ -27,12 +28,10 @@ typedef struct {
     Side side[2]; /* before, behind */
 } Place;
 
-typedef double Part[ROWS][3];
-
-/* What the first pass leaves: the parts of the Jacobian, the inverse of the pivot (11, 12, 22), S beside it, and the
- * right-hand side substituted. */
+/* What the first pass leaves: the columns of the turns before and behind, the inverse of the pivot (11, 12, 22), S
+ * beside it, and the right-hand side substituted. */
 typedef struct {
-    Part part[2];
+    double column[2][ROWS];
     double inverse[3], beside[ROWS][ROWS], known[ROWS];
 } Solved;
 
@@ -45,7 +44,7 @@ struct _TinkerPinChains {
     Chain *chains;
     Place *places; /* blocks in the order along their chain */
     Solved *solved;
-    gboolean of_factor; /* the parts are those of the Jacobian that was factored */
+    gboolean of_factor; /* the columns are those of the Jacobian that was factored */
 };
 
 /* Finding them ----------------------------------------------------------------------------------------------------- */
@@ -64,7 +63,7 @@ static gboolean note(int32_t *first, int32_t *second, int32_t end)
     return free_place != NULL;
 }
 
-/* Whether every block has two rows of two entries on different bodies, and no body more than two blocks. */
+/* Whether every block has its ends on different bodies, and no body more than two blocks. */
 static gboolean list_ends(const TinkerModel *model, Ends *ends)
 {
     const TinkerConstraints *all = &model->constraints;
@@ -72,21 +71,11 @@ static gboolean list_ends(const TinkerModel *model, Ends *ends)
         ends->first[i] = ends->second[i] = -1;
     for (int32_t row = 0; row < all->rows; row += ROWS, ends->count++)
         for (int32_t k = 0; k < 2; k++) {
-            const int32_t *own = all->points + all->row_starts[row], *next = all->points + all->row_starts[row + 1];
+            const int32_t *own = all->points + all->row_starts[row];
             const int32_t point = ends->points[row + k] = own[k];
-            if (own[k] != next[k] || own[0] == own[1]) return FALSE;
+            if (own[0] == own[1]) return FALSE;
             if (point < model->bodies && !note(&ends->first[point], &ends->second[point], row + k)) return FALSE;
         }
-    return TRUE;
-}
-
-static gboolean has_blocks_of_two(const TinkerConstraints *all)
-{
-    if (all->rows == 0 || !all->two_entries || all->turn_count == 0) return FALSE;
-    for (guint i = 0; i < all->batches->len; i++) {
-        const TinkerConstraintBatch *part = &g_array_index(all->batches, TinkerConstraintBatch, i);
-        if (part->row_count > 0 && part->constraint->rows != ROWS) return FALSE;
-    }
     return TRUE;
 }
 
@@ -102,14 +91,13 @@ static Side side_of(const TinkerModel *model, const Ends *ends, int32_t end)
 {
     const TinkerConstraints *all = &model->constraints;
     const int32_t row = end & ~1, point = ends->points[end];
-    Side side = {.point = point, .coordinate = -1};
+    Side side = {.point = point, .coordinate = -1, .sign = (end & 1) == 0 ? -1 : 1};
     if (point < model->bodies) {
         side.coordinate = tinker_model_turn_of(model, point);
         side.mobility = model->inverse_mass[point];
     }
     for (int32_t r = 0; r < ROWS; r++) {
         const int32_t entry = all->row_starts[row + r] + (end & 1);
-        side.entry[r] = 2 * entry;
         side.turn[r] = -1;
         for (int32_t k = tinker_row_turns(all, row + r); k < tinker_row_turns(all, row + r + 1); k++)
             if (all->turns[k].entry == entry) side.turn[r] = 2 * all->entries + k;
@@ -150,7 +138,7 @@ static TinkerPinChains *chains_of(const TinkerModel *model, const Ends *ends)
 TinkerPinChains *tinker_pin_chains_new(const TinkerModel *model)
 {
     const TinkerConstraints *all = &model->constraints;
-    if (!has_blocks_of_two(all)) return NULL;
+    if (all->rows == 0 || all->turn_count == 0 || !tinker_constraints_are_gaps(model)) return NULL;
     Ends ends = {0, g_new(int32_t, all->rows), g_new(int32_t, MAX(model->bodies, 1)),
                  g_new(int32_t, MAX(model->bodies, 1))};
     TinkerPinChains *self = list_ends(model, &ends) ? chains_of(model, &ends) : NULL;
@@ -171,33 +159,27 @@ void tinker_pin_chains_free(TinkerPinChains *self)
 
 /* Solving ---------------------------------------------------------------------------------------------------------- */
 
-static inline void take_part(const Side *side, const double *j, Part part)
+static inline void take_columns(const Place *at, const double *j, Solved *solved)
 {
-    for (int r = 0; r < ROWS; r++) {
-        part[r][0] = j[side->entry[r]];
-        part[r][1] = j[side->entry[r] + 1];
-        part[r][2] = side->turn[r] >= 0 ? j[side->turn[r]] : 0;
-    }
+    for (int k = 0; k < 2; k++)
+        for (int r = 0; r < ROWS; r++)
+            solved->column[k][r] = at->side[k].turn[r] >= 0 ? j[at->side[k].turn[r]] : 0;
 }
 
-static inline double dot(const double a[3], const double b[3])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-static inline void add_demand(const Side *side, Part part, const TinkerRowDemand *demand, double known[ROWS])
+static inline void add_demand(const Side *side, const double column[ROWS], const TinkerRowDemand *demand,
+                              double known[ROWS])
 {
     const double *at = demand->u + demand->stride * side->point;
-    const double u[3] = {at[0], at[1], side->coordinate >= 0 ? demand->u[side->coordinate] : 0};
+    const double turned = side->coordinate >= 0 ? demand->u[side->coordinate] : 0;
     for (int r = 0; r < ROWS; r++)
-        known[r] += dot(part[r], u);
+        known[r] += side->sign * at[r] + column[r] * turned;
 }
 
-static inline void demand_of(const Place *at, Solved *solved, const TinkerRowDemand *demand, double known[ROWS])
+static inline void demand_of(const Place *at, const Solved *solved, const TinkerRowDemand *demand, double known[ROWS])
 {
     known[0] = known[1] = 0;
     for (int k = 0; k < 2 && demand->u != NULL; k++)
-        add_demand(&at->side[k], solved->part[k], demand, known);
+        add_demand(&at->side[k], solved->column[k], demand, known);
     for (int r = 0; r < ROWS; r++)
         known[r] = demand->sign * (known[r] + (demand->extra != NULL ? demand->extra[at->row + r] : 0));
 }
@@ -212,15 +194,24 @@ static inline void pass_on(const Solved *before, double known[ROWS])
 }
 
 /* S of a block: 11, 12, 22. */
-static inline void diagonal_of(const Place *at, Solved *solved, double out[3])
+static inline void diagonal_of(const Place *at, const Solved *solved, double out[3])
 {
     out[0] = out[1] = out[2] = 0;
     for (int k = 0; k < 2; k++) {
-        const double w = at->side[k].mobility;
-        out[0] += w * dot(solved->part[k][0], solved->part[k][0]);
-        out[1] += w * dot(solved->part[k][0], solved->part[k][1]);
-        out[2] += w * dot(solved->part[k][1], solved->part[k][1]);
+        const double w = at->side[k].mobility, *n = solved->column[k];
+        out[0] += w * (1 + n[0] * n[0]);
+        out[1] += w * (n[0] * n[1]);
+        out[2] += w * (1 + n[1] * n[1]);
     }
+}
+
+/* S of a block and the one behind it. */
+static inline void find_beside(const Place *at, Solved *solved)
+{
+    const double w = at[1].side[0].mobility, same = at->side[1].sign * at[1].side[0].sign;
+    for (int r = 0; r < ROWS; r++)
+        for (int c = 0; c < ROWS; c++)
+            solved->beside[r][c] = w * ((r == c ? same : 0) + solved->column[1][r] * solved[1].column[0][c]);
 }
 
 /* Takes (S beside)^T P^-1 (S beside) of the block before off a diagonal. */
@@ -253,16 +244,12 @@ static gboolean factor_chain(const Place *place, Solved *solved, int32_t count, 
     gboolean fine = TRUE;
     for (int32_t i = 0; i < count; i++) {
         double diagonal[3], pivot[3];
-        take_part(&place[i].side[0], j, solved[i].part[0]);
-        take_part(&place[i].side[1], j, solved[i].part[1]);
+        take_columns(&place[i], j, &solved[i]);
         diagonal_of(&place[i], &solved[i], diagonal);
         demand_of(&place[i], &solved[i], demand, solved[i].known);
         memcpy(pivot, diagonal, sizeof(pivot));
         if (i > 0) {
-            const double w = place[i].side[0].mobility;
-            for (int r = 0; r < ROWS; r++)
-                for (int c = 0; c < ROWS; c++)
-                    solved[i - 1].beside[r][c] = w * dot(solved[i - 1].part[1][r], solved[i].part[0][c]);
+            find_beside(&place[i - 1], &solved[i - 1]);
             take_off(&solved[i - 1], pivot);
             pass_on(&solved[i - 1], solved[i].known);
         }
@@ -285,18 +272,17 @@ gboolean tinker_pin_chains_factor(TinkerPinChains *self, const double *jacobian,
 }
 
 /* What a demand is of are the rows evaluated last, which may not be those of the factor. */
-static void take_parts(TinkerPinChains *self, const double *jacobian)
+static void take_all_columns(TinkerPinChains *self, const double *jacobian)
 {
     for (int32_t k = 0; k < self->count; k++)
         for (int32_t i = self->chains[k].first; i < self->chains[k].first + self->chains[k].count; i++)
-            for (int side = 0; side < 2; side++)
-                take_part(&self->places[i].side[side], jacobian, self->solved[i].part[side]);
+            take_columns(&self->places[i], jacobian, &self->solved[i]);
 }
 
 void tinker_pin_chains_substitute(TinkerPinChains *self, const double *jacobian, gboolean of_factor,
                                   const TinkerRowDemand *demand)
 {
-    if (!of_factor || !self->of_factor) take_parts(self, jacobian);
+    if (!of_factor || !self->of_factor) take_all_columns(self, jacobian);
     self->of_factor = of_factor;
     for (int32_t k = 0; k < self->count; k++) {
         const Chain *chain = &self->chains[k];
@@ -318,6 +304,14 @@ static inline void push(const Side *node, const double sum[3], double *target, g
     if (turned != NULL) *turned = (fresh ? 0 : *turned) + node->mobility * sum[2];
 }
 
+/* What a block gives to the node at one of its sides. */
+static inline void add_block(const Side *side, const double column[ROWS], const double x[ROWS], double sum[3])
+{
+    sum[0] += side->sign * x[0];
+    sum[1] += side->sign * x[1];
+    sum[2] += x[0] * column[0] + x[1] * column[1];
+}
+
 static void finish_chain(const Place *place, const Solved *solved, int32_t count, double *x, double *target,
                          gboolean fresh)
 {
@@ -329,12 +323,10 @@ static void finish_chain(const Place *place, const Solved *solved, int32_t count
         next[0] = x[place[i].row] = p[0] * known[0] + p[1] * known[1];
         next[1] = x[place[i].row + 1] = p[1] * known[0] + p[2] * known[1];
         if (target == NULL) continue;
-        const double(*u)[3] = solved[i].part[0], (*d)[3] = solved[i].part[1];
-        for (int c = 0; c < 3; c++)
-            behind[c] += next[0] * d[0][c] + next[1] * d[1][c];
+        add_block(&place[i].side[1], solved[i].column[1], next, behind);
         push(&place[i].side[1], behind, target, fresh);
-        for (int c = 0; c < 3; c++)
-            behind[c] = next[0] * u[0][c] + next[1] * u[1][c];
+        memset(behind, 0, sizeof(behind));
+        add_block(&place[i].side[0], solved[i].column[0], next, behind);
     }
     if (target != NULL) push(&place[0].side[0], behind, target, fresh);
 }

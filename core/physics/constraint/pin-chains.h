@@ -1,6 +1,6 @@
-/* Blocks of two rows and two ends that hang together in chains, one after the other: bars pinned end to end. Every body
- * of a chain carries one such block or two, so S = J M^-1 J^T is tridiagonal along it in blocks of 2 x 2; as with rods
- * (row-chains.h) its assembly, its factorisation and the first half of the solve are one pass over the blocks, the
+/* Blocks whose two ends coincide and that hang together in chains, one after the other: bars pinned end to end. Every
+ * body of a chain carries one such block or two, so S = J M^-1 J^T is tridiagonal along it in blocks of 2 x 2; as with
+ * rods (row-chains.h) its assembly, its factorisation and the first half of the solve are one pass over the blocks, the
  * second half and the impulses on the bodies another. */
 #ifndef TINKER_CORE_PIN_CHAINS_H
 #define TINKER_CORE_PIN_CHAINS_H

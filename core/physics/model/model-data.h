@@ -167,7 +167,7 @@ typedef struct {
     gsize jacobian_size; /* numbers in a Jacobian: two an entry, then one for each of `turns` */
     TinkerSparseLdl *ldl;
     TinkerRowChains *chains;     /* of rows that hang together in chains alone; else NULL */
-    TinkerPinChains *pin_chains; /* of blocks of two rows that do; else NULL */
+    TinkerPinChains *pin_chains; /* of blocks whose ends coincide that do; else NULL */
     double work;       /* J: what the last projection of positions gave, by the applied forces evaluated last */
     gboolean gave_way; /* a projection stopped short at a singular place; whoever reports it clears it */
     int32_t redundant; /* rows that depend on others at the start: every solve is proximal */
