@@ -42,10 +42,19 @@ static double between(GRand *random, double from, double to)
     return g_rand_double_range(random, from, to);
 }
 
+static TinkerBodyPose turned_by(TinkerBodyPose pose, double angle)
+{
+    pose.angle = angle;
+    pose.cosine = cos(angle);
+    pose.sine = sin(angle);
+    return pose;
+}
+
 static TinkerBodyPose random_pose(GRand *random)
 {
-    return (TinkerBodyPose){between(random, -1.2, 1.2), between(random, -1.2, 1.2), between(random, -7, 7),
-                            between(random, -2, 2),     between(random, -2, 2),     between(random, -3, 3)};
+    const TinkerBodyPose pose = {between(random, -1.2, 1.2), between(random, -1.2, 1.2), between(random, -7, 7),
+                                 between(random, -2, 2),     between(random, -2, 2),     between(random, -3, 3)};
+    return turned_by(pose, pose.angle);
 }
 
 static void corner_at(const TinkerOutline *outline, const TinkerBodyPose *pose, int32_t number, double at[2])
@@ -189,7 +198,8 @@ static void test_unturned(void)
         TinkerGapFunction functions[MOST];
         tinker_unturned_init(&both, first, p.angle, second, q.angle);
         const int32_t count = tinker_unturned_functions(&both, first, p.angle, way, functions, MOST);
-        p.angle = q.angle = 0;
+        p = turned_by(p, 0);
+        q = turned_by(q, 0);
         if (fabs(distance) < 1e-9) continue;
         g_assert_true((tinker_outlines_overlap(&both.point, &p, &both.around, &q) > 0) == (distance < 0));
         if (distance < 0) continue;
@@ -248,12 +258,12 @@ static void test_tops(void)
 
 static TinkerBodyPose moved(const TinkerBodyPose *pose, const double a[3], double time)
 {
-    return (TinkerBodyPose){pose->x + time * (pose->vx + 0.5 * time * a[0]),
-                            pose->y + time * (pose->vy + 0.5 * time * a[1]),
-                            pose->angle + time * (pose->rate + 0.5 * time * a[2]),
-                            pose->vx + time * a[0],
-                            pose->vy + time * a[1],
-                            pose->rate + time * a[2]};
+    const TinkerBodyPose there = {.x = pose->x + time * (pose->vx + 0.5 * time * a[0]),
+                                  .y = pose->y + time * (pose->vy + 0.5 * time * a[1]),
+                                  .vx = pose->vx + time * a[0],
+                                  .vy = pose->vy + time * a[1],
+                                  .rate = pose->rate + time * a[2]};
+    return turned_by(there, pose->angle + time * (pose->rate + 0.5 * time * a[2]));
 }
 
 static double second_by_rows(const TinkerGap *gap, int which, double a[2][3], int32_t tip_of)
@@ -334,13 +344,13 @@ static void test_derivatives(void)
  */
 static void test_round_a_box(void)
 {
-    const TinkerBodyPose box = {.angle = 0.3};
+    const TinkerBodyPose box = turned_by((TinkerBodyPose){0}, 0.3);
     TinkerGapFunction functions[MOST];
     const int32_t count = tinker_gap_functions(&shapes[3], &shapes[0], functions, MOST);
     double before = NAN;
     for (int32_t i = 0; i <= 100000; i++) {
         const double angle = 2 * G_PI * i / 100000;
-        const TinkerBodyPose disc = {.x = 0.9 * cos(angle), .y = 0.9 * sin(angle)};
+        const TinkerBodyPose disc = {.x = 0.9 * cos(angle), .y = 0.9 * sin(angle), .cosine = 1};
         double least = INFINITY;
         for (int32_t k = 0; k < count; k++) {
             TinkerGap gap;
@@ -386,7 +396,7 @@ static void check_star(GRand *random)
     }
     assert_near(area, area_of(corners, count), 1e-14);
     const TinkerOutline star = {TINKER_OUTLINE_POLYGON, 1, count, corners, 0, NULL};
-    const TinkerBodyPose still = {0};
+    const TinkerBodyPose still = {.cosine = 1};
     for (int32_t k = 0; k < 50; k++) {
         const double p[2] = {between(random, -1, 1), between(random, -1, 1)};
         int32_t in = 0;

@@ -175,16 +175,19 @@ void tinker_contacts_find_outlines(TinkerContacts *contacts)
 static TinkerBodyPose pose_of(const TinkerModel *model, const TinkerTouchingPair *pair, int which)
 {
     const TinkerPoint *at = &model->point[pair->point[which]];
-    TinkerBodyPose pose = {at->x, at->y, pair->angle[which], at->vx, at->vy, 0};
-    if (pair->turned != NULL && which == 1) {
+    const TinkerTurn *turn = pair->point[which] < model->bodies ? tinker_model_turn(model, pair->point[which]) : NULL;
+    TinkerBodyPose pose = {at->x, at->y, pair->angle[which], at->vx, at->vy, 0, pair->cosine[which], pair->sine[which]};
+    if (turn != NULL) {
+        pose.angle = turn->angle;
+        pose.rate = turn->rate;
+        pose.cosine = turn->cosine;
+        pose.sine = turn->sine;
+    } else if (pair->turned != NULL && which == 1) {
         pose.angle += pair->turned->angle;
         pose.rate = pair->turned->rate;
+        pose.cosine = cos(pose.angle);
+        pose.sine = sin(pose.angle);
     }
-    const int32_t turn =
-        pair->point[which] < model->bodies && model->turn_of != NULL ? model->turn_of[pair->point[which]] : -1;
-    if (turn < 0) return pose;
-    pose.angle = model->turns[turn].angle;
-    pose.rate = model->turns[turn].rate;
     return pose;
 }
 

@@ -45,6 +45,10 @@ static void add_functions(Listing *listing, TinkerTouchingPair pair, const Tinke
                           const TinkerPlate *like)
 {
     pair.first = listing->contacts->plate_count + (int32_t)listing->functions->len;
+    for (int which = 0; which < 2; which++) {
+        pair.cosine[which] = cos(pair.angle[which]);
+        pair.sine[which] = sin(pair.angle[which]);
+    }
     g_array_append_vals(listing->functions, functions, (guint)pair.count);
     for (int32_t i = 0; i < pair.count; i++) {
         TinkerPlate plate = *like;

@@ -47,7 +47,8 @@
 typedef struct {
     int32_t point[2]; /* of their centres: of bodies, or of a support */
     const TinkerOutline *outline[2];
-    double angle[2];           /* rad: of what does not turn by itself */
+    double angle[2];           /* rad: of what does not turn by itself, */
+    double cosine[2], sine[2]; /* and of that angle */
     const TinkerPlace *turned; /* how a motion turns the support that is the second; NULL: none does */
     double lift;               /* m: what the first, a mass, is over what it lies on */
     int32_t first, count;      /* its gap functions, among the plates */

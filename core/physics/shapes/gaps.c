@@ -27,21 +27,12 @@ static void across(const double a[2], double out[2])
     out[1] = x;
 }
 
-/* How a frame is turned. */
-typedef struct {
-    double cosine, sine;
-} Turned;
-
-static Turned turned_by(double angle)
-{
-    return (Turned){cos(angle), sin(angle)};
-}
-
-static void turn(Turned by, const double a[2], double out[2])
+/* As its frame is turned. */
+static void turn(const TinkerBodyPose *by, const double a[2], double out[2])
 {
     const double x = a[0], y = a[1];
-    out[0] = by.cosine * x - by.sine * y;
-    out[1] = by.sine * x + by.cosine * y;
+    out[0] = by->cosine * x - by->sine * y;
+    out[1] = by->sine * x + by->cosine * y;
 }
 
 /* What the functions of a pair consist of -------------------------------------------------------------------------- */
@@ -210,10 +201,10 @@ typedef struct {
     double place[2], arm[2], turned[2], velocity[2], bend[2];
 } Point;
 
-static Point point_at(const TinkerBodyPose *pose, Turned turned, const double local[2])
+static Point point_at(const TinkerBodyPose *pose, const double local[2])
 {
     Point point = {0};
-    turn(turned, local, point.arm);
+    turn(pose, local, point.arm);
     across(point.arm, point.turned);
     for (int k = 0; k < 2; k++) {
         point.place[k] = (k == 0 ? pose->x : pose->y) + point.arm[k];
@@ -243,13 +234,12 @@ static double rate_of(const double row[6], const TinkerBodyPose *tip, const Tink
 static void measure_edge(const TinkerGapFunction *function, const TinkerBodyPose *tip, const TinkerBodyPose *seat,
                          const Point *p, TinkerGap *gap)
 {
-    const Turned turned = turned_by(seat->angle);
-    const Point c = point_at(seat, turned, function->seat);
+    const Point c = point_at(seat, function->seat);
     const double d[2] = {p->place[0] - c.place[0], p->place[1] - c.place[1]}, r = function->tip_radius;
     const double moves[2] = {p->velocity[0] - c.velocity[0], p->velocity[1] - c.velocity[1]};
     const double bend[2] = {p->bend[0] - c.bend[0], p->bend[1] - c.bend[1]}, w = seat->rate;
-    double *n = gap->normal;
-    turn(turned, function->normal, n);
+    turn(seat, function->normal, gap->normal);
+    const double *n = gap->normal;
     const double t[2] = {n[1], -n[0]};
     gap->gap = dot(n, d) - r;
     gap->along = dot(t, d);
@@ -267,18 +257,17 @@ static void measure_edge(const TinkerGapFunction *function, const TinkerBodyPose
 static void measure_round(const TinkerGapFunction *function, const TinkerBodyPose *tip, const TinkerBodyPose *seat,
                           const Point *p, TinkerGap *gap)
 {
-    const Turned turned = turned_by(seat->angle);
-    const Point c = point_at(seat, turned, function->seat);
+    const Point c = point_at(seat, function->seat);
     const double d[2] = {p->place[0] - c.place[0], p->place[1] - c.place[1]}, far = hypot(d[0], d[1]);
     const double moves[2] = {p->velocity[0] - c.velocity[0], p->velocity[1] - c.velocity[1]};
     const double bend[2] = {p->bend[0] - c.bend[0], p->bend[1] - c.bend[1]};
     const double r = function->tip_radius, s = function->seat_radius, reach = r + s;
-    double *n = gap->normal;
-    n[0] = far > 0 ? d[0] / far : 0;
-    n[1] = far > 0 ? d[1] / far : 1;
+    gap->normal[0] = far > 0 ? d[0] / far : 0;
+    gap->normal[1] = far > 0 ? d[1] / far : 1;
+    const double *n = gap->normal;
     const double t[2] = {n[1], -n[0]}, direction = atan2(n[1], n[0]);
     double middle[2];
-    turn(turned, function->normal, middle);
+    turn(seat, function->normal, middle);
     gap->gap = far - reach;
     gap->along = -reach * atan2(middle[0] * n[1] - middle[1] * n[0], dot(middle, n));
     gap->rolled = r * tip->angle + s * seat->angle - reach * direction;
@@ -297,7 +286,7 @@ void tinker_gap_measure(const TinkerGapFunction *function, const TinkerBodyPose 
                         TinkerGap *gap)
 {
     const TinkerBodyPose *tip = function->tip_of == 0 ? first : second, *seat = function->tip_of == 0 ? second : first;
-    const Point p = point_at(tip, turned_by(tip->angle), function->tip);
+    const Point p = point_at(tip, function->tip);
     if (function->round)
         measure_round(function, tip, seat, &p, gap);
     else
@@ -311,16 +300,15 @@ gboolean tinker_gap_is_over(const TinkerGapFunction *function, const TinkerBodyP
 {
     const TinkerBodyPose *tip = function->tip_of == 0 ? first : second;
     (void)second;
-    const Turned turned = turned_by(tip->angle);
     double above[2];
     const double beyond = fabs(gap->along) - function->half_width;
     if (beyond > tolerance || (beyond > -tolerance && gap->along * gap->along_speed > 0)) return FALSE;
     for (int k = 0; k < 2; k++) {
         double side[2];
-        turn(turned, function->sides[k], side);
+        turn(tip, function->sides[k], side);
         if (dot(side, gap->normal) < -TINKER_NOT_INTO) return FALSE;
     }
     if (function->above[0] == 0 && function->above[1] == 0) return TRUE;
-    turn(turned, function->above, above);
+    turn(tip, function->above, above);
     return dot(gap->normal, above) < 0;
 }

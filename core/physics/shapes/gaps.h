@@ -49,6 +49,7 @@ typedef struct {
 typedef struct {
     double x, y, angle;
     double vx, vy, rate;
+    double cosine, sine; /* of the angle: whoever moves a body has them */
 } TinkerBodyPose;
 
 /* Of shapes 0 and 1; places and directions in the axes of the frames that they are fixed to. */

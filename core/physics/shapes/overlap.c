@@ -6,7 +6,7 @@
 
 static void place_of(const TinkerBodyPose *pose, const double local[2], double out[2])
 {
-    const double c = cos(pose->angle), s = sin(pose->angle);
+    const double c = pose->cosine, s = pose->sine;
     out[0] = pose->x + c * local[0] - s * local[1];
     out[1] = pose->y + s * local[0] + c * local[1];
 }
@@ -101,7 +101,7 @@ static double overlap_of_top(const TinkerOutline *top, const TinkerBodyPose *at_
                              const TinkerBodyPose *at_other)
 {
     Over over = {{top->corners[0], top->corners[2]}, {INFINITY, -INFINITY}, INFINITY};
-    const double c = cos(at_top->angle), s = sin(at_top->angle), raised = top->corners[1];
+    const double c = at_top->cosine, s = at_top->sine, raised = top->corners[1];
     double before[2] = {0, 0};
     const int32_t count = other->kind == TINKER_OUTLINE_DISC ? 0 : other->count;
     for (int32_t i = 0; i <= count; i++) {
