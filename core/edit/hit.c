@@ -3,16 +3,7 @@
 #include <math.h>
 
 #include "edit/edit-private.h"
-
-#define LAYERS 4
-
-/* The order of drawing: as declared, else connectors above bodies. */
-static int32_t layer_of(const TinkerBlockClass *block_class)
-{
-    if (block_class == NULL) return 1;
-    if (block_class->render != NULL) return CLAMP(block_class->render->layer, 0, LAYERS - 1);
-    return block_class->type->least_ends > 0 ? 2 : 1;
-}
+#include "scene/frame/drawing-order.h"
 
 static gboolean is_placed(const TinkerInstance *instance)
 {
@@ -24,11 +15,11 @@ TinkerHit tinker_hit(TinkerFrame *frame, double x, double y, double reach, Tinke
     TinkerScene *scene = tinker_frame_scene(frame);
     TinkerHit whole = {TINKER_NO_BLOCK, TINKER_PART_NONE};
     if (!isfinite(x) || !isfinite(y)) return whole;
-    for (int32_t layer = LAYERS - 1; layer >= 0; layer--)
+    for (int32_t layer = TINKER_LAYERS - 1; layer >= 0; layer--)
         for (int32_t place = tinker_scene_block_count(scene) - 1; place >= 0; place--) {
             TinkerBlockId block = tinker_scene_block_at(scene, place);
             const TinkerBlockClass *block_class = tinker_scene_block_class(scene, block);
-            if (block == skip || layer_of(block_class) != layer) continue;
+            if (block == skip || tinker_frame_layer(frame, block) != layer) continue;
             TinkerInstance instance;
             gboolean known = tinker_frame_instance(frame, block, &instance);
             if (!is_placed(&instance)) continue;
@@ -55,11 +46,11 @@ int32_t edit_hit_connectables(TinkerFrame *frame, TinkerBlockId connector, doubl
     const TinkerBlockClass *connector_class = tinker_scene_block_class(scene, connector);
     int32_t count = 0;
     if (connector_class == NULL || !isfinite(x) || !isfinite(y)) return 0;
-    for (int32_t layer = LAYERS - 1; layer >= 0; layer--)
+    for (int32_t layer = TINKER_LAYERS - 1; layer >= 0; layer--)
         for (int32_t place = tinker_scene_block_count(scene) - 1; place >= 0 && count < room; place--) {
             TinkerBlockId block = tinker_scene_block_at(scene, place);
             const TinkerBlockClass *block_class = tinker_scene_block_class(scene, block);
-            if (block == connector || layer_of(block_class) != layer) continue;
+            if (block == connector || tinker_frame_layer(frame, block) != layer) continue;
             if (!accepts(connector_class->type, block_class)) continue;
             TinkerInstance instance;
             if (!tinker_frame_instance(frame, block, &instance) || !is_placed(&instance)) continue;

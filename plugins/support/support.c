@@ -16,6 +16,7 @@ enum {
     COLUMN_DYNAMIC_FRICTION,
     COLUMN_RESTITUTION,
     COLUMN_SOLID,
+    COLUMN_COUNT,
 };
 
 /* Of a point; those of its contacts follow. */
@@ -38,6 +39,24 @@ static TinkerStatus prepare(TinkerBatch *batch)
         }
     }
     return TINKER_OK;
+}
+
+/* A pin is no wider than high, however long the slab would be. */
+static double drawn_width(const TinkerInstance *instance)
+{
+    const double width = instance->columns[COLUMN_WIDTH];
+    return instance->columns[COLUMN_SOLID] != 0.0 ? width : fmin(width, instance->columns[COLUMN_HEIGHT]);
+}
+
+/* The support as large as it is drawn, its columns in `columns`. */
+static TinkerInstance as_drawn(const TinkerInstance *instance, double columns[COLUMN_COUNT])
+{
+    TinkerInstance drawn = *instance;
+    for (int column = 0; column < COLUMN_COUNT; column++)
+        columns[column] = instance->columns[column];
+    columns[COLUMN_WIDTH] = drawn_width(instance);
+    drawn.columns = columns;
+    return drawn;
 }
 
 /* Drawing */
@@ -66,8 +85,7 @@ static void draw_slab(const TinkerInstance *instance, struct _cairo *cairo, cons
 /* A pin as textbooks draw it: a triangle on hatched ground, its point at the centre. */
 static void draw_pin(const TinkerInstance *instance, struct _cairo *cairo, const TinkerStyle *style)
 {
-    const double width = instance->columns[COLUMN_WIDTH], height = instance->columns[COLUMN_HEIGHT];
-    const double half = fmin(width, height) / 2.0;
+    const double height = instance->columns[COLUMN_HEIGHT], half = drawn_width(instance) / 2.0;
     const double top[2] = {0.0, 0.0}, left[2] = {-half, -height / 2.0}, right[2] = {half, -height / 2.0};
     draw_own_line(instance, cairo, style, top, left, 0);
     draw_own_line(instance, cairo, style, top, right, 0);
@@ -86,12 +104,45 @@ static void draw(const TinkerInstance *instance, struct _cairo *cairo, const Tin
 
 static void bounds(const TinkerInstance *instance, const TinkerStyle *style, double box[4])
 {
-    tinker_box_bounds(instance, &box_columns, tinker_drawing_margin(style), box);
+    double columns[COLUMN_COUNT];
+    const TinkerInstance drawn = as_drawn(instance, columns);
+    tinker_box_bounds(&drawn, &box_columns, tinker_drawing_margin(style), box);
 }
 
 /* Editing */
 
-TINKER_DEFINE_BOX_EDIT(edit, box_columns)
+/* A pin lies below its centre, where it leaves free what hangs on it. */
+static int32_t hit(const TinkerInstance *instance, double x, double y, double reach)
+{
+    double columns[COLUMN_COUNT];
+    TinkerInstance drawn = as_drawn(instance, columns);
+    if (instance->columns[COLUMN_SOLID] == 0.0) {
+        columns[COLUMN_HEIGHT] /= 2.0;
+        tinker_box_to_world(instance, 0.0, -columns[COLUMN_HEIGHT] / 2.0, &drawn.x, &drawn.y);
+    }
+    return tinker_box_hit(&drawn, &box_columns, x, y, reach);
+}
+
+static int32_t handles(const TinkerInstance *instance, TinkerHandle *all, int32_t room)
+{
+    double columns[COLUMN_COUNT];
+    const TinkerInstance drawn = as_drawn(instance, columns);
+    return tinker_box_handles(&drawn, &box_columns, all, room);
+}
+
+static void move_absolute(const TinkerInstance *instance, int32_t part, double x, double y, const TinkerEditor *editor)
+{
+    tinker_box_move_absolute(instance, &box_columns, part, x, y, editor);
+}
+
+static void move(const TinkerInstance *instance, int32_t part, double dx, double dy, const TinkerEditor *editor);
+
+static const TinkerEdit edit = {sizeof(TinkerEdit), 0, hit, move, move_absolute, handles};
+
+static void move(const TinkerInstance *instance, int32_t part, double dx, double dy, const TinkerEditor *editor)
+{
+    tinker_turned_move(instance, &box_columns, &edit, part, dx, dy, editor);
+}
 
 /* Graphs */
 

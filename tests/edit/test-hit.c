@@ -13,6 +13,8 @@ static const char blocks[] = "{\"type\": \"gravity\", \"name\": \"G\"},"
                              "{\"type\": \"spring\", \"name\": \"S\", \"ends\": [\"Below\", [4, 0]]},"
                              "{\"type\": \"motor\", \"name\": \"M\", \"ends\": [[3, 3]]},"
                              "{\"type\": \"support-motion\", \"name\": \"Shake\", \"ends\": [[-3, 3]]},"
+                             "{\"type\": \"support\", \"name\": \"Pivot\", \"position\": [8, 0], \"solid\": false},"
+                             "{\"type\": \"disc\", \"name\": \"Wheel\", \"position\": [8, 0]},"
                              "{\"type\": \"pulley\", \"name\": \"P\", \"position\": [5, 5]}";
 
 typedef struct {
@@ -57,6 +59,9 @@ static void test_order(Stage *stage, gconstpointer data)
     expect(stage, 4, 0.05, "S", 1);
     expect(stage, 2, 0.05, "S", TINKER_PART_WHOLE);
     expect(stage, 1.9, -3.1, "Floor", TINKER_PART_WHOLE);
+    /* a pivot lies over what hangs on it, and is no larger than it is drawn */
+    expect(stage, 8, -0.1, "Pivot", TINKER_PART_WHOLE);
+    expect(stage, 8, 0.3, "Wheel", TINKER_PART_WHOLE);
     TinkerHit nothing = tinker_hit(stage->frame, -4, -1, REACH, TINKER_NO_BLOCK);
     g_assert_cmpint(nothing.block, ==, TINKER_NO_BLOCK);
     g_assert_cmpint(nothing.part, ==, TINKER_PART_NONE);

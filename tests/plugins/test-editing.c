@@ -180,6 +180,27 @@ static void test_box_handles(gconstpointer data)
     g_assert_cmpint(stage.edit->handles(&stage.instance, &handle, 0), ==, 0);
 }
 
+/* Of a slab of 4 m x 0.4 m that is not solid a pin is drawn: 0.4 m wide, its top at (1, 2). */
+static void test_pivot(void)
+{
+    Stage stage;
+    TinkerHandle handle = {0};
+    stage_init(&stage, "support");
+    stage.instance.x = 1;
+    stage.instance.y = 2;
+    *stage_column(&stage, "solid") = 0;
+    g_assert_cmpint(hit(&stage, 1, 2), ==, TINKER_PART_WHOLE);
+    g_assert_cmpint(hit(&stage, 1.19, 1.81), ==, TINKER_PART_WHOLE);
+    g_assert_cmpint(hit(&stage, 1.3, 1.9), ==, TINKER_PART_NONE);
+    g_assert_cmpint(hit(&stage, 1, 2.1), ==, TINKER_PART_NONE); /* what hangs there can be taken */
+    g_assert_true(find_handle(&stage, TINKER_PART_HANDLE + 0, &handle));
+    assert_close(handle.x, 1.2, 1e-15);
+    assert_close(handle.y, 2.2, 1e-15);
+    stage.instance.orientation = PI; /* hung from above */
+    g_assert_cmpint(hit(&stage, 0.81, 2.19), ==, TINKER_PART_WHOLE);
+    g_assert_cmpint(hit(&stage, 1, 1.9), ==, TINKER_PART_NONE);
+}
+
 /* A local origin on the centre must not keep the mass from being taken by its middle. */
 static void test_local_origin_leaves_the_centre_free(void)
 {
@@ -335,6 +356,7 @@ int main(int argc, char **argv)
         g_autofree char *path = g_strdup_printf("/plugins/editing/%s/%s", tests[i].data, tests[i].name);
         g_test_add_data_func(path, tests[i].data, tests[i].function);
     }
+    g_test_add_func("/plugins/editing/support/pivot", test_pivot);
     g_test_add_func("/plugins/editing/mass/dot", test_dot_hit);
     g_test_add_func("/plugins/editing/mass/local-origin", test_local_origin_leaves_the_centre_free);
     g_test_add_func("/plugins/editing/motor/negative-force", test_motor_tip_of_negative_force);

@@ -155,6 +155,21 @@ static void test_whose(void)
     test_stage_close(&stage);
 }
 
+/* A pivot has its name beside what is drawn of it: the slab that it would be, were it solid, is 4 m wide. */
+static void test_pivot(void)
+{
+    TestStage stage;
+    test_stage_open(&stage, "{\"type\": \"support\", \"name\": \"Pivot\", \"position\": [0, 0], \"solid\": false},"
+                            "{\"type\": \"mass\", \"position\": [0, 1], \"width\": 1.6, \"height\": 1.6},"
+                            "{\"type\": \"mass\", \"position\": [0, -1.2], \"width\": 1.6, \"height\": 1.6}");
+    stage.options.show_labels = TRUE;
+    test_stage_paint(&stage);
+    const TinkerWrittenText *name = test_stage_text(&stage, "Pivot");
+    g_assert_nonnull(name);
+    g_assert_cmpfloat(gap(name->box[0], name->box[2], TEST_STAGE_WIDTH / 2), <, 2 * 50); /* 2 m, at 50 pixels a metre */
+    test_stage_close(&stage);
+}
+
 /* While a body passes over it, a name neither jumps to and fro nor comes and goes at every step. */
 static void test_steady(void)
 {
@@ -220,6 +235,7 @@ static void add_tests(void)
     g_test_add_func("/render/labels/crossed", test_crossed);
     g_test_add_func("/render/labels/far", test_far);
     g_test_add_func("/render/labels/whose", test_whose);
+    g_test_add_func("/render/labels/pivot", test_pivot);
     g_test_add_func("/render/labels/steady", test_steady);
     g_test_add_func("/render/labels/nets", test_nets);
 }

@@ -82,6 +82,27 @@ static void test_order(void)
     test_stage_close(&stage);
 }
 
+/* A pivot lies over the body that hangs on it; what is solid lies beneath. */
+static void test_pivot_over_body(void)
+{
+    static const char *const solid[] = {"false", "true"};
+    for (int i = 0; i < 2; i++) {
+        TestStage stage;
+        g_autofree char *blocks =
+            g_strdup_printf("{\"type\": \"support\", \"position\": [0, 0], \"solid\": %s},"
+                            "{\"type\": \"disc\", \"position\": [0, 0], \"radius\": 3, \"orientation\": 90}",
+                            solid[i]);
+        test_stage_open(&stage, blocks);
+        test_stage_paint(&stage);
+        const double *edge = stage.options.theme->colours[TINKER_COLOUR_BODY_EDGE];
+        /* the ground of the pin, 0.2 m below its top, at 50 pixels a metre */
+        const gboolean shown =
+            test_picture_shows(stage.picture, TEST_STAGE_WIDTH / 2.0 - 5, TEST_STAGE_HEIGHT / 2.0 + 10, 2, edge);
+        g_assert_cmpint(shown, ==, i == 0);
+        test_stage_close(&stage);
+    }
+}
+
 /* Fields stand side by side in the upper left corner and are found there. */
 static void test_fields(void)
 {
@@ -331,6 +352,7 @@ static void add_tests(void)
     g_test_add_func("/render/painter/detached", test_detached);
     g_test_add_func("/render/painter/motor", test_motor);
     g_test_add_func("/render/painter/order", test_order);
+    g_test_add_func("/render/painter/pivot-over-body", test_pivot_over_body);
     g_test_add_func("/render/painter/fields", test_fields);
     g_test_add_func("/render/painter/names", test_names);
     g_test_add_func("/render/painter/lone-name", test_lone_name);

@@ -203,7 +203,7 @@ void tinker_picture_draw_labels(TinkerPicture *picture, double (*taken)[4], int 
     tinker_occupancy_init(&labels.map, 0, 0, view->width, view->height, CELL);
     for (int i = 0; i < taken_count; i++)
         tinker_occupancy_take_box(&labels.map, taken[i], TINKER_TAKEN_BY_TEXT);
-    for (int layer = 0; layer < TINKER_PICTURE_LAYERS; layer++)
+    for (int layer = 0; layer < TINKER_LAYERS; layer++)
         take_layer(&labels, picture->visible[layer]);
     write_names(&labels, picture->bodies, TRUE);
     write_names(&labels, picture->connectors, TRUE);

@@ -5,6 +5,7 @@
 #include "plugin/call/call.h"
 #include "render/draw/strokes.h"
 #include "render/picture/painter.h"
+#include "scene/frame/drawing-order.h"
 
 /* How a block takes part in the picture. */
 typedef enum {
@@ -23,8 +24,6 @@ typedef struct {
     double width, height; /* m, of a body */
 } TinkerPiece;
 
-#define TINKER_PICTURE_LAYERS 4
-
 /* Of the shorter side of a picture: what stays free around the world in a file. */
 #define TINKER_PICTURE_MARGIN 0.08
 
@@ -37,9 +36,9 @@ typedef struct {
     const TinkerPaintOptions *options;
     TinkerStyleBrush brush;
     int32_t block_count, id_limit;
-    guint8 *selected;                       /* by id: 1 where the options select it; NULL: none is */
-    GArray *visible[TINKER_PICTURE_LAYERS]; /* of TinkerBlockId: what lies on the canvas, in drawing order */
-    GArray *bodies;                         /* likewise: those of them with a place, in the scene's order */
+    guint8 *selected;               /* by id: 1 where the options select it; NULL: none is */
+    GArray *visible[TINKER_LAYERS]; /* of TinkerBlockId: what lies on the canvas, in drawing order */
+    GArray *bodies;                 /* likewise: those of them with a place, in the scene's order */
     GArray *connectors; /* likewise: those of them with ends, but for those that are part of another block */
 } TinkerPicture;
 

@@ -90,13 +90,6 @@ static gboolean is_visible(const TinkerPicture *picture, const TinkerPiece *piec
            box[1] <= view[3] && box[3] >= view[1];
 }
 
-static int layer_of(const TinkerPiece *piece)
-{
-    const TinkerBlockClass *block_class = piece->block_class;
-    if (block_class && block_class->render) return CLAMP(block_class->render->layer, 0, TINKER_PICTURE_LAYERS - 1);
-    return block_class && block_class->type->least_ends > 0 ? 2 : 1;
-}
-
 static gboolean is_wanted(const TinkerPicture *picture, TinkerBlockId block)
 {
     const TinkerBlockId *each = picture->options->only;
@@ -109,7 +102,7 @@ static gboolean is_wanted(const TinkerPicture *picture, TinkerBlockId block)
 static void find_visible(TinkerPicture *picture)
 {
     TinkerScene *scene = tinker_frame_scene(picture->frame);
-    for (int layer = 0; layer < TINKER_PICTURE_LAYERS; layer++)
+    for (int layer = 0; layer < TINKER_LAYERS; layer++)
         picture->visible[layer] = g_array_new(FALSE, FALSE, sizeof(TinkerBlockId));
     picture->bodies = g_array_new(FALSE, FALSE, sizeof(TinkerBlockId));
     picture->connectors = g_array_new(FALSE, FALSE, sizeof(TinkerBlockId));
@@ -118,7 +111,7 @@ static void find_visible(TinkerPicture *picture)
         tinker_piece_init(&piece, picture->frame, tinker_scene_block_at(scene, place));
         if (piece.kind == TINKER_PIECE_FIELD || !is_wanted(picture, piece.block) || !is_visible(picture, &piece))
             continue;
-        g_array_append_val(picture->visible[layer_of(&piece)], piece.block);
+        g_array_append_val(picture->visible[tinker_frame_layer(picture->frame, piece.block)], piece.block);
         if (piece.kind != TINKER_PIECE_CONNECTOR)
             g_array_append_val(picture->bodies, piece.block);
         else if (!tinker_block_class_is_shown_elsewhere(piece.block_class))
@@ -128,7 +121,7 @@ static void find_visible(TinkerPicture *picture)
 
 static void forget_visible(TinkerPicture *picture)
 {
-    for (int layer = 0; layer < TINKER_PICTURE_LAYERS; layer++)
+    for (int layer = 0; layer < TINKER_LAYERS; layer++)
         g_array_unref(picture->visible[layer]);
     g_array_unref(picture->bodies);
     g_array_unref(picture->connectors);
@@ -270,7 +263,7 @@ static void draw_world(TinkerPicture *picture)
 {
     tinker_style_enter_world(&picture->brush.style, picture->cairo);
     draw_dots(picture);
-    for (int layer = 0; layer < TINKER_PICTURE_LAYERS; layer++)
+    for (int layer = 0; layer < TINKER_LAYERS; layer++)
         draw_layer(picture, picture->visible[layer]);
     if (picture->options->show_local_origins) draw_local_origins(picture);
     draw_handles(picture);

@@ -100,7 +100,7 @@ typedef struct TinkerStyle {
 
 typedef struct TinkerRender {
     uint32_t struct_size;
-    int32_t layer; /* what is drawn first lies below: 0 supports, 1 bodies, 2 connectors, 3 forces and fields */
+    int32_t layer; /* 0, the lowest: supports (over bodies where not solid), 1 bodies, 2 connectors, 3 forces, fields */
     /* Required. */
     void (*draw)(const TinkerInstance *instance, struct _cairo *cairo, const TinkerStyle *style);
     /* The box that the drawing stays within: least x, least y, greatest x, greatest y, m. NULL: the box about the
