@@ -64,6 +64,33 @@ static void test_error_of_run(void)
     g_assert_cmpfloat(early, <, 0.5 * late);
 }
 
+/* A value has the digits that its error leaves: of a motion that is known exactly, the text itself is right to within
+ * the error beside it. That has one digit, of which it may be two thirds, and the value is rounded by half a unit of
+ * it. */
+static void test_digits(void)
+{
+    g_autoptr(GuiFixture) fixture = gui_fixture_new("");
+    g_autofree char *exact = g_strdup(COARSE);
+    char *method = strstr(exact, "'method': 'rk4', 'step': 0.1");
+    memset(method, ' ', strlen("'method': 'rk4', 'step': 0.1"));
+    memcpy(method, "'method': 'exact'", strlen("'method': 'exact'"));
+    gui_fixture_start_scene(fixture, exact);
+    run_whole(fixture);
+    g_autoptr(TinkerGraphData) data = graph_fixture_data(fixture);
+    g_autofree char *text = tinker_graph_statistics_text(data, NULL);
+    g_test_message("%s", text);
+    const struct {
+        const char *name;
+        double truth;
+    } lines[] = {{"Period", PERIOD}, {"Amplitude", AMPLITUDE}, {"Greatest", 2.0}};
+    for (gsize i = 0; i < G_N_ELEMENTS(lines); i++) {
+        double value, error;
+        read_line(text, lines[i].name, &value, &error);
+        g_assert_cmpfloat(error, <, 1e-4);
+        g_assert_cmpfloat(fabs(value - lines[i].truth), <=, 2 * error);
+    }
+}
+
 /* Where there is no estimate the numbers say so. */
 static void test_not_known(void)
 {
@@ -84,6 +111,7 @@ static void test_not_known(void)
 static void add_tests(void)
 {
     g_test_add_func("/gui/graph-statistics/error-of-run", test_error_of_run);
+    g_test_add_func("/gui/graph-statistics/digits", test_digits);
     g_test_add_func("/gui/graph-statistics/not-known", test_not_known);
 }
 

@@ -6,11 +6,27 @@
 #include "gui/curve/graph-data.h"
 #include "measure/statistics.h"
 
+#define LEAST_DIGITS 5
+#define MOST_DIGITS  12
+
+/* As many digits as the error leaves, zeros at their end too: a value that is cut short would look as if it missed by
+ * more than its error. */
+static void append_value(GString *text, const TinkerStatistic *statistic)
+{
+    const double size = fabs(statistic->value), error = statistic->error;
+    double digits = size > 0 && error > 0 ? floor(log10(size)) - floor(log10(error)) + 1 : LEAST_DIGITS;
+    digits = CLAMP(digits, LEAST_DIGITS, MOST_DIGITS);
+    g_string_append_printf(text, "%s%#.*g", statistic->value < 0 ? "−" : "", (int)digits, size);
+    if (text->str[text->len - 1] == '.') g_string_truncate(text, text->len - 1);
+}
+
 static void add_line(GString *text, const char *name, const TinkerStatistic *statistic, const char *unit)
 {
     if (!isfinite(statistic->value)) return;
-    g_autofree char *value = tinker_graph_value_text(name, statistic->value, unit);
-    g_string_append_printf(text, "%s ± %.1g\n", value, statistic->error);
+    const char *gap = unit[0] != '\0' ? " " : "";
+    g_string_append_printf(text, "%s = ", name);
+    append_value(text, statistic);
+    g_string_append_printf(text, "%s%s ± %.1g%s%s\n", gap, unit, statistic->error, gap, unit);
 }
 
 static void add_curve(GString *text, const TinkerGraphData *data, guint curve, const double *range)
