@@ -63,8 +63,56 @@ static void test_as_placed(void)
     physics_assert_near("turns", physics_last(run, 1), 0, 1e-9);
 }
 
+/* s: from a fall of h to a push of k m on 1 kg and back to where it fell from. With x how far it is pushed,
+ * x'' = g - omega^2 x from x = 0 at v: it is 0 again where tan(omega t / 2) = -v omega / g. */
+static double bounce(double h, double stiffness)
+{
+    const double omega = sqrt(stiffness), v = sqrt(2 * CONTACT_GRAVITY * h);
+    return 2 * v / CONTACT_GRAVITY + 2 / omega * (G_PI - atan(v * omega / CONTACT_GRAVITY));
+}
+
+/* Steps grow in flight, and are not to pass over what is met behind it: a bumper, or a cord that becomes long enough.
+ */
+static void test_flights(void)
+{
+    static const char *const methods[] = {"dop853", "dopri5"};
+    static const struct {
+        const char *block;
+        double y, h; /* m: it falls from, so far */
+    } kinds[] = {
+        {"{'type': 'bumper', 'ends': ['Support 0', 'Mass 0'], 'length': 1}", 2, 1},
+        {"{'type': 'law-connector', 'ends': ['Support 0', 'Mass 0'], 'tension': '1000*ramp(L - 1)'}", -0.2, 0.8},
+    };
+    for (gsize i = 0; i < G_N_ELEMENTS(methods) * G_N_ELEMENTS(kinds); i++) {
+        const gsize kind = i / G_N_ELEMENTS(methods);
+        g_autoptr(PhysicsRun) run =
+            physics_run(&(PhysicsOptions){.duration = 5 * bounce(kinds[kind].h, 1000),
+                                          .method = methods[i % G_N_ELEMENTS(methods)],
+                                          .columns = "Mass 0.y, Mass 0.vy"},
+                        CONTACT_WEIGHT "{'type': 'support', 'solid': false}, {'type': 'mass', 'position': [0, %g]}, %s",
+                        kinds[kind].y, kinds[kind].block);
+        physics_assert_near("height", physics_last(run, 0), kinds[kind].y, 1e-7);
+        physics_assert_near("turns", physics_last(run, 1), 0, 1e-6);
+    }
+}
+
+/* A bar that turns evenly about its middle, and what its end meets throws back as fast. */
+static void test_turning(void)
+{
+    g_autoptr(PhysicsRun) run = physics_run(
+        &(PhysicsOptions){.duration = 2, .tolerance = 1e-11, .columns = "Bar 0.angular velocity, Bumper 0.force"},
+        "{'type': 'support', 'solid': false}, {'type': 'bar', 'length': 2, 'angular_velocity': 2},"
+        "{'type': 'pin', 'ends': ['Support 0', 'Bar 0']},"
+        "{'type': 'support', 'position': [0, 2], 'solid': false},"
+        "{'type': 'bumper', 'ends': ['Support 1', {'block': 'Bar 0', 'at': [1, 0]}], 'length': 1.2}");
+    physics_assert_near("turns back", physics_last(run, 0), -2, 1e-8);
+    physics_assert_near("lets go", physics_last(run, 1), 0, 0);
+}
+
 static void add_tests(void)
 {
+    g_test_add_func("/physics/bumper/flights", test_flights);
+    g_test_add_func("/physics/bumper/turning", test_turning);
     g_test_add_func("/physics/bumper/rebound", test_rebound);
     g_test_add_func("/physics/bumper/as-placed", test_as_placed);
 }

@@ -100,6 +100,14 @@
 /* No unit; of the length at which the force is 0: evaluations nearer to length 0 are noted; steps that resolve the
  * motion come nearer than that. */
 #define TINKER_LOST_NEAR 0.25
+/* No unit; of a length: a law that gives no force there and so far on either side is idle about it. */
+#define TINKER_IDLE_PROBE 1e-3
+/* No unit; of the length as placed: so many times as far, and as near, a law is asked whether it is idle. */
+#define TINKER_IDLE_FAR 1e6
+/* No unit; of a length, or of the time: so near to the end of its range an idle line is at it. */
+#define TINKER_IDLE_END 1e-11
+/* No unit; of a length: so far beyond the end of its range a first step goes. */
+#define TINKER_IDLE_BEYOND 1e-3
 /* No unit; of the extent: ends so near to each other are at one place but for rounding. */
 #define TINKER_MET 1e-13
 /* No unit; of the extent: ends that are exactly at one place are parted by so much. */

@@ -18,6 +18,7 @@
 
 struct _TinkerContactRun;
 struct _TinkerDirectionWatch;
+struct _TinkerIdleLines;
 
 typedef struct {
     const TinkerIsland *island;
@@ -49,6 +50,7 @@ typedef struct {
     TinkerBooks books;
     struct _TinkerContactRun *contacts;       /* NULL where nothing can touch anything */
     struct _TinkerDirectionWatch *directions; /* NULL where no line has a force at length 0 */
+    struct _TinkerIdleLines *idle;            /* NULL where no line is without force over a range of lengths */
     TinkerStabilityWatch *stability;
     gint64 looked_at;   /* steps at the last look into the books */
     int singular_steps; /* in a row */

@@ -11,6 +11,7 @@
 #include "numerics/methods/integrators.h"
 #include "physics/constraint/constraints.h"
 #include "physics/event/direction-watch.h"
+#include "physics/event/idle-lines.h"
 #include "physics/impulse/impulse.h"
 #include "physics/island/island-run.h"
 #include "physics/island/stability-watch.h"
@@ -65,6 +66,7 @@ static gboolean open_run(TinkerIslandRun *run, double horizon, GError **error)
     if (run->contacts != NULL && !tinker_contact_run_start(run->contacts, error)) return FALSE;
     if (!tinker_island_run_strike(run, error)) return FALSE;
     run->directions = tinker_direction_watch_new(run);
+    run->idle = tinker_idle_lines_new(run);
     return check_directions(run, error);
 }
 
@@ -88,6 +90,7 @@ void tinker_island_run_free(TinkerIslandRun *run)
     if (run == NULL) return;
     tinker_contact_run_free(run->contacts);
     tinker_direction_watch_free(run->directions);
+    tinker_idle_lines_free(run->idle);
     tinker_island_run_clear(run);
     g_free(run);
 }
@@ -134,6 +137,7 @@ static TinkerStatus step_to_contact(TinkerIslandRun *run, double limit, TinkerSt
 static TinkerStatus step_once(TinkerIslandRun *run, double limit, TinkerStepReport *report)
 {
     double from = run->state.t;
+    if (run->idle != NULL) limit = tinker_idle_lines_limit(run->idle, limit);
     if (run->directions == NULL) return step_to_contact(run, limit, report);
     limit = tinker_direction_watch_begin(run->directions, limit);
     TinkerStatus status = step_to_contact(run, limit, report);
