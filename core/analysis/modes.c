@@ -6,6 +6,9 @@
 
 #include "analysis/mode-roots-private.h"
 
+/* Damping this small beside the strongest is rounding of it. */
+#define LEAST_DAMPING 1e-13
+
 /* Components this far out of step make a shape that is no standing one. */
 #define OUT_OF_STEP 1e-6
 
@@ -81,6 +84,15 @@ static TinkerMode *add_root(const TinkerModeGroup *group, double complex s, cons
     return mode;
 }
 
+/* Of a rigid motion: what dampers between parts that move alike leave of their damping. */
+static gboolean is_rounding(const TinkerModalBasis *basis, double damping)
+{
+    double strongest = 0;
+    for (gsize i = 0; damping != 0 && i < (gsize)basis->count; i++)
+        strongest = fmax(strongest, fabs(basis->damping[i + (gsize)basis->count * i]));
+    return fabs(damping) <= LEAST_DAMPING * strongest;
+}
+
 /* s^2 + c s + square = 0; the smaller root by the product of both, so that it keeps its digits. */
 static void add_single(const TinkerModeGroup *group, GPtrArray *modes)
 {
@@ -91,7 +103,7 @@ static void add_single(const TinkerModeGroup *group, GPtrArray *modes)
     double half = 0.5 * c, under = half * half - square;
     if (fabs(under) <= 8 * DBL_EPSILON * fmax(half * half, fabs(square))) under = 0;
     if (square == 0) add_rigid(group, 0, modes);
-    if (square == 0 && c != 0) add_root(group, -c, shape, modes);
+    if (square == 0 && !is_rounding(basis, c)) add_root(group, -c, shape, modes);
     if (square == 0) return;
     if (under < 0) {
         TinkerMode *mode = add_root(group, CMPLX(-half, sqrt(-under)), shape, modes);

@@ -51,6 +51,22 @@ static void test_straight_bar(void)
     g_assert_cmpuint(a->analysis->modes->len, ==, 1);
 }
 
+/* Two wheels with a spring and a damper between them turn freely together, which no damping takes: one such motion, and
+ * against each other with k (1 / I1 + 1 / I2). */
+static void test_free_shaft(void)
+{
+    g_autoptr(ModesFixture) a = modes_about_rest(
+        "{'type': 'support', 'solid': false}, {'type': 'support', 'position': [1, 0], 'solid': false},"
+        "{'type': 'disc', 'inertia': 1, 'solid': false},"
+        "{'type': 'disc', 'inertia': 0.7, 'position': [1, 0], 'solid': false},"
+        "{'type': 'pin', 'ends': ['Support 0', 'Disc 0']}, {'type': 'pin', 'ends': ['Support 1', 'Disc 1']},"
+        "{'type': 'torsional-spring', 'stiffness': 100, 'ends': ['Disc 0', 'Disc 1']},"
+        "{'type': 'torsional-damper', 'damping': 0.5, 'ends': ['Disc 0', 'Disc 1']}");
+    modes_assert_frequencies(a, (const double[]){sqrt(100 * (1 + 1 / 0.7))}, 1);
+    g_assert_cmpuint(modes_count(a, TINKER_MODE_RIGID), ==, 1);
+    g_assert_cmpuint(a->analysis->modes->len, ==, 2);
+}
+
 /* 401 discs have 1203 coordinates: the refusal counts what there is, and says how many there may be. */
 static void test_too_many(void)
 {
@@ -68,6 +84,7 @@ static void add_tests(void)
 {
     g_test_add_func("/modes/bars", test_bars);
     g_test_add_func("/modes/bar-on-springs", test_bar_on_springs);
+    g_test_add_func("/modes/free-shaft", test_free_shaft);
     g_test_add_func("/modes/straight-bar", test_straight_bar);
     g_test_add_func("/modes/too-many", test_too_many);
 }
