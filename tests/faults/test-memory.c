@@ -14,7 +14,7 @@
 #define INTERNED 2
 
 /* How many of an operation's requests fail, evenly spread; TEST_MEMORY_EACH=1 in the environment: each. */
-#define MOST_FAULTS 120
+#define MOST_FAULTS 40
 
 /* What the program told in the end; nothing where it did not come to its regular end. */
 typedef struct {
