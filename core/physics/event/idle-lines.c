@@ -166,16 +166,22 @@ static TinkerStatus place(TinkerIdleLines *self)
     return TINKER_OK;
 }
 
+/* m: to the end of the range at its shorter lengths; INFINITY where it has none, and ends may pass each other. */
+static double room_inwards(const Line *line, double length)
+{
+    return line->from > 0 ? length - line->from : INFINITY;
+}
+
 /* m: to the nearer end of the range; below 0 outside. */
 static double room_of(const Line *line, double length)
 {
-    return fmin(length - line->from, line->beyond - length);
+    return fmin(room_inwards(line, length), line->beyond - length);
 }
 
 /* m/s: how fast the room shrinks; of what rests, m/s^2. */
 static double closing_of(const Line *line, const Ends *ends, double length)
 {
-    const double outwards = length - line->from < line->beyond - length ? -1.0 : 1.0;
+    const double outwards = room_inwards(line, length) < line->beyond - length ? -1.0 : 1.0;
     const double rate = outwards * (ends->d[0] * ends->u[0] + ends->d[1] * ends->u[1]) / length;
     return rate != 0 ? rate : outwards * (ends->d[0] * ends->a[0] + ends->d[1] * ends->a[1]) / length;
 }
