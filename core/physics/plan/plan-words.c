@@ -102,8 +102,9 @@ static TinkerBlockId wheel_under(const TinkerModel *model, TinkerBlockId rope)
     const int32_t last = tinker_scene_end_count(model->scene, rope) - 1;
     for (int32_t e = 1; e < last; e++) {
         const TinkerSceneEnd end = tinker_scene_end(model->scene, rope, e);
-        const int32_t body = tinker_model_centre(model, end.block);
-        if (body >= 0 && tinker_model_turn_of(model, body) >= 0 && end.x == 0 && end.y == 0) return end.block;
+        const int32_t centre = tinker_model_centre(model, end.block);
+        const gboolean is_body = centre >= 0 && centre < model->bodies;
+        if (is_body && tinker_model_turn(model, centre) != NULL && end.x == 0 && end.y == 0) return end.block;
     }
     return TINKER_NO_BLOCK;
 }
