@@ -200,14 +200,18 @@ TinkerStatus tinker_island_run_interpolate(TinkerIslandRun *run, double t, doubl
 TinkerStatus tinker_island_run_unprojected_at(TinkerIslandRun *run, double t, double *q, double *v)
 {
     tinker_constraints_begin_look(run->model);
-    gboolean own = run->q == run->state.q;
-    double *x = own ? q : run->sample_x, *u = own ? v : run->sample_u;
-    gsize bytes = (gsize)run->system.system.size * sizeof(double);
-    memcpy(x, run->state.q, bytes);
-    memcpy(u, run->state.v, bytes);
+    const gboolean own = run->q == run->state.q;
+    double *x = run->state.q, *u = run->state.v;
     TinkerStatus status = TINKER_OK;
-    if (t != run->state.t) status = tinker_island_run_interpolate(run, t, x, u, NULL);
-    tinker_constraints_begin_look(run->model); /* what dense output evaluated it may not evaluate again */
+    if (own || t != run->state.t) {
+        const gsize bytes = (gsize)run->system.system.size * sizeof(double);
+        x = memcpy(own ? q : run->sample_x, run->state.q, bytes);
+        u = memcpy(own ? v : run->sample_u, run->state.v, bytes);
+    }
+    if (t != run->state.t) {
+        status = tinker_island_run_interpolate(run, t, x, u, NULL);
+        tinker_constraints_begin_look(run->model); /* what dense output evaluated it may not evaluate again */
+    }
     if (own) return status;
     tinker_linear_form_expand(run->island->linear, x, u, q, v);
     /* the steps of shafts evaluate no constraint: a look finds what the last one left there, to the sign of a 0 */

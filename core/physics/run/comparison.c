@@ -166,6 +166,15 @@ static gboolean strikes_between(const TinkerImpacts *impacts, const TinkerImpact
     return t <= fmax(ours, theirs) + BEHIND_IMPACT * fabs(ours - theirs);
 }
 
+/* Whether velocities tell anything at a point within a step: not near an impact. */
+static gboolean speeds_tell(const Part *part, const TinkerIslandRun *other, double t)
+{
+    const TinkerImpacts impacts = tinker_impacts_of(other);
+    if (part->impacts.last == -INFINITY && impacts.last == -INFINITY) return TRUE; /* nothing has struck yet */
+    return !strikes_near(&part->impacts, t) && !strikes_near(&impacts, t) &&
+           !strikes_between(&part->impacts, &impacts, t);
+}
+
 /* Of bodies' ways from one place to another, or of changes of their velocities. The largest of four lanes is that of
  * all, and none of them waits for another. */
 static double largest_square(int32_t bodies, const double *from, const double *to, double so_far)
@@ -209,11 +218,8 @@ static void compare_at_point(TinkerComparison *self, Part *part, TinkerIslandRun
         other_q = self->q;
         other_v = self->v;
     }
-    const TinkerImpacts impacts = tinker_impacts_of(other);
-    gboolean speeds =
-        !strikes_near(&part->impacts, t) && !strikes_near(&impacts, t) && !strikes_between(&part->impacts, &impacts, t);
     part->places = largest_way(other->model, q, other_q, part->places);
-    if (speeds) part->speeds = largest_way(other->model, q + n, other_v, part->speeds);
+    if (speeds_tell(part, other, t)) part->speeds = largest_way(other->model, q + n, other_v, part->speeds);
 }
 
 static void compare_samples(TinkerComparison *self, guint number, const TinkerIslandNews *news, const double *q,
