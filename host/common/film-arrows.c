@@ -7,12 +7,15 @@
 #include "force-arrows.h"
 #include "render/draw/text.h"
 
+/* So much stronger than in the first picture, forces are what the film's scale is for. */
+#define MUCH_STRONGER 5.0
+
 struct _TinkerFilmArrows {
     TinkerScene *scene;
     TinkerFilmOverlay overlay;
     TinkerActingForces *acting; /* NULL: not asked for */
     GArray *now;                /* of TinkerActingForce: scratch */
-    GArray *first;              /* likewise: of the first picture in which any is not 0, whose scale forces have */
+    GArray *first;              /* likewise: of the picture whose scale forces have; the first in which any is not 0 */
     GPtrArray *forces;          /* of GArray of TinkerActingForce, a picture each */
     GPtrArray *vectors;         /* of GArray of TinkerMotionVector, likewise */
     TinkerMotionTrail *trail;   /* NULL: no paths */
@@ -83,8 +86,10 @@ gboolean tinker_film_arrows_add(TinkerFilmArrows *arrows, TinkerSimulation *simu
 {
     if (arrows->acting != NULL && !tinker_acting_forces_at(arrows->acting, simulation, arrows->now, error))
         return FALSE;
-    if (arrows->first->len == 0 && tinker_force_arrows_any(arrows->now))
+    if (tinker_force_arrows_greatest(arrows->now) > MUCH_STRONGER * tinker_force_arrows_greatest(arrows->first)) {
+        g_array_set_size(arrows->first, 0);
         g_array_append_vals(arrows->first, arrows->now->data, arrows->now->len);
+    }
     GArray *forces = tinker_acting_forces_array();
     if (arrows->overlay.forces) g_array_append_vals(forces, arrows->now->data, arrows->now->len);
     tinker_force_arrows_keep_moving(arrows->scene, forces);

@@ -7,13 +7,27 @@
 
 #include "render/draw/text.h"
 
-gboolean tinker_force_arrows_any(const GArray *acting)
+/* No unit; of the longer side of a picture: what is longer is no arrow to compare with others. */
+#define LONGEST_SHARE 0.5
+
+double tinker_force_arrows_greatest(const GArray *acting)
 {
+    double greatest = 0;
     for (guint i = 0; i < acting->len; i++) {
         const TinkerActingForce *force = &g_array_index(acting, TinkerActingForce, i);
-        if (hypot(force->fx, force->fy) > 0) return TRUE;
+        greatest = fmax(greatest, hypot(force->fx, force->fy));
     }
-    return FALSE;
+    return greatest;
+}
+
+gboolean tinker_force_arrows_any(const GArray *acting)
+{
+    return tinker_force_arrows_greatest(acting) > 0;
+}
+
+gboolean tinker_force_arrows_outgrow(const GArray *acting, const TinkerView *view, double pixels)
+{
+    return pixels * tinker_force_arrows_greatest(acting) > LONGEST_SHARE * fmax(view->width, view->height);
 }
 
 double tinker_force_arrows_scale(const GArray *acting, const TinkerView *view, double previous)
@@ -242,6 +256,8 @@ void tinker_force_arrows_over(cairo_t *cairo, const TinkerView *view, const Tink
     double greatest[TINKER_VECTOR_KINDS] = {0};
     if (!(forces->pixels > 0) && tinker_force_arrows_any(known))
         forces->pixels = tinker_force_arrows_scale(known, view, 0);
+    if (tinker_force_arrows_outgrow(forces->acting, view, forces->pixels))
+        forces->pixels = tinker_force_arrows_scale(forces->acting, view, 0);
     if (forces->vectors != NULL && forces->greatest == NULL) tinker_motion_vectors_measure(forces->vectors, greatest);
     for (int k = 0; k < TINKER_VECTOR_KINDS && forces->vectors != NULL; k++)
         if (!(forces->vector_pixels[k] > 0))

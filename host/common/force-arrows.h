@@ -14,7 +14,8 @@
 typedef struct {
     TinkerScene *scene;
     const GArray *acting;   /* of TinkerActingForce: all that are to be shown */
-    const GArray *at_start; /* likewise, of the start of the run, whose scale the arrows have; NULL: their own */
+    const GArray *at_start; /* likewise, of the start of the run, whose scale the arrows have unless they outgrow it;
+                               NULL: their own */
     double pixels;          /* canvas units per N, of net forces too; 0: not known yet */
     const GArray *vectors;  /* of TinkerMotionVector, to be shown beside them; NULL: none */
     double vector_pixels[TINKER_VECTOR_KINDS]; /* canvas units per m/s and m/s^2; 0: not known yet */
@@ -29,6 +30,13 @@ const char *tinker_force_arrow_word(TinkerArrowKind kind);
 
 /* Whether one of them is not 0. */
 gboolean tinker_force_arrows_any(const GArray *acting);
+
+/* N: that of the strongest of them. */
+double tinker_force_arrows_greatest(const GArray *acting);
+
+/* Whether the longest arrow is longer than half of the picture at so many canvas units per N, so that a scale that was
+ * chosen for other forces is none for these. */
+gboolean tinker_force_arrows_outgrow(const GArray *acting, const TinkerView *view, double pixels);
 
 /* Canvas units per N, so that the longest arrow is well seen; `previous` as in arrows.h. */
 double tinker_force_arrows_scale(const GArray *acting, const TinkerView *view, double previous);

@@ -109,6 +109,24 @@ static void test_vectors(CliFixture *fixture, gconstpointer data)
     g_assert_true(key_shows(fixture, "--acceleration --time 1", TINKER_ARROW_ACCELERATION));
 }
 
+/* A force that is a hundred times that of the start is seen whole, in a scale of its own. */
+static void test_grown_force(CliFixture *fixture, gconstpointer data)
+{
+    g_autofree char *scene =
+        cli_write(fixture, "grown.json",
+                  "{\"tinker\": 1, \"blocks\": [{\"type\": \"mass\", \"mass\": 1000}, {\"type\": \"motor\", \"ends\": "
+                  "[\"Mass 0\"], \"waveform\": {\"expression\": \"1 + 99*t\"}, \"angle\": \"90 deg\"}]}");
+    g_autoptr(TestProgram) program =
+        cli_run_well(fixture, "render @grown.json -o @grown.png --no-grid --no-labels --forces --time 1");
+    g_autofree char *path = cli_path(fixture, "grown.png");
+    cairo_surface_t *surface = cairo_image_surface_create_from_png(path);
+    const double *colour = tinker_arrow_colour(theme(), TINKER_ARROW_APPLIED);
+    int ends[2];
+    g_assert_cmpint(count_column(surface, find_column(surface, colour), colour, ends), >, 30);
+    g_assert_cmpint(ends[1] - ends[0], <, cairo_image_surface_get_height(surface) / 2);
+    cairo_surface_destroy(surface);
+}
+
 /* Where marks are, from top to bottom: beside the path, which is thinner than they are. */
 static int find_marks(cairo_surface_t *surface, int middle, double places[], int most)
 {
@@ -236,6 +254,7 @@ int main(int argc, char **argv)
 {
     g_test_init(&argc, &argv, NULL);
     cli_test_add("/cli/motion-pictures/vectors", test_vectors);
+    cli_test_add("/cli/motion-pictures/grown-force", test_grown_force);
     cli_test_add("/cli/motion-pictures/trail", test_trail);
     cli_test_add("/cli/motion-pictures/trail-until", test_trail_until);
     cli_test_add("/cli/motion-pictures/film-vectors", test_film_vectors);

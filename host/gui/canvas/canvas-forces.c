@@ -47,12 +47,17 @@ static gboolean shows(TinkerDocument *document, const TinkerActingForce *force, 
     return selected == 0 && tinker_force_acts_on_moving(scene, force);
 }
 
-/* One scale for a run: from the forces at its start, or where there are none from the first that there are. */
+/* One scale for a run: from the forces at its start, or where there are none from the first that there are; until
+ * forces outgrow it. */
 static void choose_scale(CanvasForces *forces, const GArray *acting, TinkerDocument *document, double time,
                          const TinkerView *view)
 {
     const guint64 revision = tinker_history_revision(tinker_document_history(document));
     const gboolean edited = forces->scaled_revision != revision;
+    if (tinker_force_arrows_outgrow(acting, view, forces->pixels)) {
+        forces->pixels = tinker_force_arrows_scale(acting, view, 0);
+        return;
+    }
     if (forces->pixels > 0 && !(edited && time == 0)) return;
     if (edited) forces->start_is_known_empty = FALSE;
     g_autoptr(GArray) start = tinker_acting_forces_array();
