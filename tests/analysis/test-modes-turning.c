@@ -67,6 +67,20 @@ static void test_free_shaft(void)
     g_assert_cmpuint(a->analysis->modes->len, ==, 2);
 }
 
+/* Two geared wheels that a torque drives turn freely, whatever force is in their teeth: the gear's row is linear. */
+static void test_driven_gears(void)
+{
+    g_autoptr(ModesFixture) a = modes_fixture_new(
+        FALSE, "{'type': 'support', 'solid': false}, {'type': 'support', 'position': [1.2, 0], 'solid': false},"
+               "{'type': 'disc', 'radius': 0.3, 'solid': false},"
+               "{'type': 'disc', 'mass': 6, 'radius': 0.9, 'position': [1.2, 0], 'solid': false},"
+               "{'type': 'pin', 'ends': ['Support 0', 'Disc 0']}, {'type': 'pin', 'ends': ['Support 1', 'Disc 1']},"
+               "{'type': 'gear', 'ends': ['Disc 0', 'Disc 1'], 'ratio': 0.3333333333333333},"
+               "{'type': 'torque', 'ends': ['Disc 0'], 'amplitude': 2}");
+    g_assert_cmpuint(modes_count(a, TINKER_MODE_RIGID), ==, 1);
+    g_assert_cmpuint(a->analysis->modes->len, ==, 1);
+}
+
 /* 401 discs have 1203 coordinates: the refusal counts what there is, and says how many there may be. */
 static void test_too_many(void)
 {
@@ -85,6 +99,7 @@ static void add_tests(void)
     g_test_add_func("/modes/bars", test_bars);
     g_test_add_func("/modes/bar-on-springs", test_bar_on_springs);
     g_test_add_func("/modes/free-shaft", test_free_shaft);
+    g_test_add_func("/modes/driven-gears", test_driven_gears);
     g_test_add_func("/modes/straight-bar", test_straight_bar);
     g_test_add_func("/modes/too-many", test_too_many);
 }

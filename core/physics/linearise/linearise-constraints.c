@@ -102,6 +102,8 @@ static TinkerStatus differentiate(Difference *d, int32_t slot, int axis)
         for (int32_t e = 0; e < 2 * entries; e++)
             d->column[e] += weights[k + 3] * d->jacobian[e];
     }
+    for (int32_t e = 0; e < 2 * entries; e++)
+        if (fabs(d->column[e]) <= TINKER_HESSIAN_ROUNDING * fabs(d->jacobian[e])) d->column[e] = 0;
     return TINKER_OK;
 }
 

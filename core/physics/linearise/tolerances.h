@@ -15,6 +15,9 @@
 #define TINKER_HESSIAN_ANGLE_STEP 3e-3
 /* No unit; of the largest second derivative: smaller ones are the differences' own. Held by: -. */
 #define TINKER_HESSIAN_NOISE 1e-11
+/* No unit; of a derivative: what differences of one that is constant, as a gear's, are by rounding, since their weights
+ * are 110 together. Held by: analysis-modes-turning. */
+#define TINKER_HESSIAN_ROUNDING 1e-13
 /* No unit; of the extent, and of an extent a second: the step of differences of order 4 where a field couples
  * bodies.
  Held by: analysis-modes-elements. */
