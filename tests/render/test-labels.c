@@ -155,6 +155,28 @@ static void test_whose(void)
     test_stage_close(&stage);
 }
 
+/* A dimension and an angle mark are read themselves; their names would stand across them. */
+static void test_measures(void)
+{
+    TestStage stage;
+    test_stage_open(&stage, "{\"type\": \"mass\", \"name\": \"A\", \"position\": [-4, 2]},"
+                            "{\"type\": \"mass\", \"name\": \"B\", \"position\": [4, 2]},"
+                            "{\"type\": \"mass\", \"name\": \"C\", \"position\": [4, -2]},"
+                            "{\"type\": \"dimension\", \"name\": \"Gauge\", \"ends\": [\"A\", \"B\"]},"
+                            "{\"type\": \"angle-mark\", \"name\": \"Corner\", \"ends\": [\"B\", \"A\", \"C\"]}");
+    stage.options.show_labels = TRUE;
+    test_stage_paint(&stage);
+    g_assert_nonnull(test_stage_text(&stage, "A"));
+    g_assert_null(test_stage_text(&stage, "Gauge"));
+    g_assert_null(test_stage_text(&stage, "Corner"));
+    const TinkerBlockId gauge = tinker_scene_find_block(stage.scene, "Gauge");
+    stage.options.selected = &gauge;
+    stage.options.selected_count = 1;
+    test_stage_paint(&stage);
+    g_assert_nonnull(test_stage_text(&stage, "Gauge"));
+    test_stage_close(&stage);
+}
+
 /* A pivot has its name beside what is drawn of it: the slab that it would be, were it solid, is 4 m wide. */
 static void test_pivot(void)
 {
@@ -235,6 +257,7 @@ static void add_tests(void)
     g_test_add_func("/render/labels/crossed", test_crossed);
     g_test_add_func("/render/labels/far", test_far);
     g_test_add_func("/render/labels/whose", test_whose);
+    g_test_add_func("/render/labels/measures", test_measures);
     g_test_add_func("/render/labels/pivot", test_pivot);
     g_test_add_func("/render/labels/steady", test_steady);
     g_test_add_func("/render/labels/nets", test_nets);

@@ -157,10 +157,11 @@ static void take_layer(Labels *labels, const GArray *blocks)
     }
 }
 
-/* What has a place and no part in the physics, as a note, is read itself: a name beside it is for who has chosen it. */
+/* What has no part in the physics, as a note or a dimension, is read itself: a name beside it, or across it, is for who
+ * has chosen it. */
 static gboolean speaks_for_itself(const TinkerPiece *piece)
 {
-    return piece->kind == TINKER_PIECE_BODY && piece->block_class != NULL && piece->block_class->physics == NULL;
+    return piece->block_class != NULL && piece->block_class->physics == NULL;
 }
 
 static void write_names(Labels *labels, const GArray *blocks, gboolean chosen)
