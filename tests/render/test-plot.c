@@ -83,6 +83,28 @@ static void test_roles(void)
     g_assert_cmpint(light, >, 4);
 }
 
+/* Of two curves in one place that is seen which is not behind, whichever comes first; the other one keeps its colour
+ * elsewhere. */
+static void test_behind(void)
+{
+    TestPlotData data;
+    test_plot_fill(&data, test_plot_same, 0, 10);
+    for (int behind = 0; behind < 2; behind++) {
+        const TinkerCurve curves[] = {
+            {.x = data.x, .y = data.y, .count = 200, .behind = behind == 0},
+            {.x = data.x, .y = data.y, .count = 100, .colour = 1, .behind = behind == 1},
+        };
+        const TinkerPlot plot = {.curves = curves, .curve_count = 2};
+        g_autoptr(TestPicture) picture = test_plot_draw(&plot);
+        double x, y;
+        test_plot_place(&plot, 2.5, 2.5, &x, &y);
+        g_assert_true(test_picture_shows(picture, x, y, 1, test_plot_colour(1 - behind)));
+        g_assert_false(test_picture_shows(picture, x, y, 1, test_plot_colour(behind)));
+        test_plot_place(&plot, 7.5, 7.5, &x, &y);
+        g_assert_true(test_picture_shows(picture, x, y, 1, test_plot_colour(0)));
+    }
+}
+
 /* One sample among a million stands out of the line. */
 static void test_spike(void)
 {
@@ -243,6 +265,7 @@ int main(int argc, char **argv)
     g_test_add_func("/render/plot/spike", test_spike);
     g_test_add_func("/render/plot/thinning", test_thinning);
     g_test_add_func("/render/plot/gap", test_gap);
+    g_test_add_func("/render/plot/behind", test_behind);
     g_test_add_func("/render/plot/degenerate", test_degenerate);
     g_test_add_func("/render/plot/band", test_band);
     g_test_add_func("/render/plot/band-with-gap", test_band_with_gap);

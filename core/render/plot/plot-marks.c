@@ -75,8 +75,11 @@ void tinker_plot_draw_cursor(cairo_t *cairo, const TinkerPlotLayout *layout)
     cairo_move_to(cairo, floor(x) + 0.5, layout->top);
     cairo_line_to(cairo, floor(x) + 0.5, layout->bottom);
     cairo_stroke(cairo);
-    for (int i = 0; i < plot->curve_count; i++)
-        if (plot->curves[i].role == TINKER_CURVE_DATA) draw_dots(cairo, layout, &plot->curves[i], *plot->cursor);
+    for (int k = 0; k < 2 * plot->curve_count; k++) {
+        const TinkerCurve *curve = &plot->curves[k % plot->curve_count];
+        if (curve->role == TINKER_CURVE_DATA && curve->behind == (k < plot->curve_count))
+            draw_dots(cairo, layout, curve, *plot->cursor);
+    }
 }
 
 /* Reading ------------------------------------------------------------------------------------------------------------

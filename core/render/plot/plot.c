@@ -238,8 +238,10 @@ static void draw_curves(cairo_t *cairo, const TinkerPlotLayout *layout)
     cairo_save(cairo);
     /* Half a line's width beyond the frame, so that a curve along it is not cut in two. */
     clip_to_frame(cairo, layout, 2);
-    for (int i = 0; i < plot->curve_count; i++)
-        tinker_plot_draw_curve(cairo, layout, &plot->curves[i], column);
+    for (int k = 0; k < 2 * plot->curve_count; k++) {
+        const TinkerCurve *curve = &plot->curves[k % plot->curve_count];
+        if (curve->behind == (k < plot->curve_count)) tinker_plot_draw_curve(cairo, layout, curve, column);
+    }
     cairo_restore(cairo);
 }
 

@@ -26,7 +26,8 @@ typedef struct {
     int colour;                    /* number of the theme's curve colour */
     gboolean markers;              /* a mark at every point */
     gboolean no_line;
-    gboolean right; /* its values belong to the axis at the right */
+    gboolean right;  /* its values belong to the axis at the right */
+    gboolean behind; /* those that are not are drawn over it, wherever it stands among them */
     TinkerCurveRole role;
 } TinkerCurve;
 

@@ -42,6 +42,7 @@ static void add_curve(TinkerGraphData *data, guint number, gboolean thin)
                          .index = tinker_graph_series_index(series),
                          .colour = line->run == NULL ? (int)number : colour_of(data, number),
                          .right = tinker_graph_series_is_right(series),
+                         .behind = line->run != NULL,
                          .markers = tinker_graph_series_is_table(series),
                          .no_line = tinker_graph_series_is_table(series)};
     if (thin && curve.count > 0) {
