@@ -247,6 +247,8 @@ static void tinker_start_panel_init(TinkerStartPanel *panel)
     gtk_widget_set_margin_top(box, 8);
     panel->expander = gtk_expander_new(NULL);
     gtk_expander_set_label_widget(GTK_EXPANDER(panel->expander), title);
+    gtk_accessible_update_property(GTK_ACCESSIBLE(panel->expander), GTK_ACCESSIBLE_PROPERTY_LABEL,
+                                   gtk_label_get_text(GTK_LABEL(title)), -1);
     gtk_expander_set_child(GTK_EXPANDER(panel->expander), box);
     gtk_expander_set_expanded(GTK_EXPANDER(panel->expander), TRUE);
     gtk_widget_add_css_class(panel->expander, "start-panel");

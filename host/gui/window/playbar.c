@@ -258,9 +258,14 @@ static void tinker_playbar_init(TinkerPlaybar *playbar)
     gtk_label_set_ellipsize(GTK_LABEL(playbar->pace), PANGO_ELLIPSIZE_END);
     playbar->speed = speed_chooser();
     gtk_widget_add_css_class(playbar->pace, "warning");
-    GtkWidget *parts[] = {playbar->marks, symbol, playbar->time, playbar->pace, playbar->speed};
+    /* Tab goes by heights first, and the middle of an entry is a little above that of buttons: it has a box of its own,
+     * as high as all, not to come before them. */
+    GtkWidget *end = gtk_box_new(GTK_ORIENTATION_HORIZONTAL, 4);
+    GtkWidget *parts[] = {symbol, playbar->time, playbar->pace, playbar->speed};
     for (gsize i = 0; i < G_N_ELEMENTS(parts); i++)
-        gtk_box_append(GTK_BOX(box), parts[i]);
+        gtk_box_append(GTK_BOX(end), parts[i]);
+    gtk_box_append(GTK_BOX(box), playbar->marks);
+    gtk_box_append(GTK_BOX(box), end);
     gtk_widget_set_visible(playbar->pace, FALSE);
     set_wrong(playbar, NULL);
     gtk_widget_set_parent(box, GTK_WIDGET(playbar));

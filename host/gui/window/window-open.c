@@ -260,6 +260,19 @@ static gboolean fill_menus(gpointer data)
     return G_SOURCE_REMOVE;
 }
 
+/* A split button names its arrow by a tip alone, which screen readers do not take for a name. */
+static void name_arrow(AdwSplitButton *button)
+{
+    const char *name = adw_split_button_get_dropdown_tooltip(button);
+    GtkWidget *arrow = gtk_widget_get_first_child(GTK_WIDGET(button));
+    while (arrow != NULL && !GTK_IS_MENU_BUTTON(arrow))
+        arrow = gtk_widget_get_next_sibling(arrow);
+    if (arrow == NULL) return;
+    gtk_accessible_update_property(GTK_ACCESSIBLE(arrow), GTK_ACCESSIBLE_PROPERTY_LABEL, name, -1);
+    GtkWidget *inner = gtk_widget_get_first_child(arrow); /* what has the focus */
+    if (inner != NULL) gtk_accessible_update_property(GTK_ACCESSIBLE(inner), GTK_ACCESSIBLE_PROPERTY_LABEL, name, -1);
+}
+
 void window_add_open_menu(TinkerWindow *window)
 {
     static const GActionEntry entries[] = {
@@ -267,5 +280,6 @@ void window_add_open_menu(TinkerWindow *window)
         {.name = "open-example", .activate = on_open_example, .parameter_type = "s"},
     };
     g_action_map_add_action_entries(G_ACTION_MAP(window), entries, G_N_ELEMENTS(entries), window);
+    name_arrow(window->open_button);
     g_idle_add_full(G_PRIORITY_LOW, fill_menus, g_object_ref(window), g_object_unref);
 }

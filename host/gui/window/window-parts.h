@@ -44,6 +44,7 @@ struct _TinkerWindow {
     TinkerGraphLayer *graph_layer;
     TinkerInstrumentLayer *instruments;
     TinkerAccuracyPage *accuracy;
+    AdwSplitButton *open_button;
     GMenu *recent_menu;
     GMenu *examples_menu;
 

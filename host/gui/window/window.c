@@ -253,6 +253,7 @@ static void tinker_window_class_init(TinkerWindowClass *class)
     BIND(banners);
     BIND(canvas_overlay);
     BIND(graph_layer);
+    BIND(open_button);
     BIND(recent_menu);
     BIND(examples_menu);
 }

@@ -94,6 +94,30 @@ def test_names_of_the_pages_are_whole_in_a_small_window(display):
             check_equal(app.find("label", name, inside=app.find("tab", name)).box()[2], width, f"width of {name} (px)")
 
 
+TAKES_FOCUS = ("button", "toggle button", "check box", "entry", "text", "slider", "combo box")
+PLAY_BAR = ["Reset to the Start", "One Sample Back", "Play", "One Sample Forward", "Time line", "Time"]
+
+
+def test_what_takes_the_focus_is_named(display):
+    """By what it does; a name such as GtkMenuButton is that of a class. What a list to choose from is made of is part of it."""
+    with App(display, scene(support("Floor", 0, 0), mass("Box", 0, 2))) as app:
+        nameless = [node for node in app.tree.refresh(True)
+                    if node.role in TAKES_FOCUS and node.is_shown() and not any(o.role == "combo box" for o in node.ancestors())
+                    and (not node.name or re.match("(Gtk|Adw|Tinker)[A-Z]", node.name))]
+        check_equal(nameless, [], "what has no name")
+
+
+def test_tab_goes_through_the_play_bar_from_left_to_right(display):
+    with App(display, scene(support("Floor", 0, 0), mass("Box", 0, 2))) as app:
+        app.click(PLAY_BAR[0])
+        passed = []
+        for _ in PLAY_BAR:
+            passed.append(wait(lambda: next((n.name for n in app.tree.refresh() if n.has("focused") and n.name not in passed), None),
+                               "the next one to have the focus"))
+            app.press("Tab")
+        check_equal(passed, PLAY_BAR, "the order")
+
+
 def test_long_name_makes_nothing_wider(display):
     with App(display, scene(support("Floor", 0, 0), mass("Box", 0, 0.3), GRAVITY)) as app:
         before = width_of_window(app)
