@@ -252,7 +252,7 @@ void tinker_plot_draw_noting(cairo_t *cairo, const TinkerPlot *plot, double widt
     tinker_plot_lay_out(&layout, plot, &pen, width, height);
     gboolean has_text = layout.left > 2;
     cairo_save(cairo);
-    if (plot->quick) cairo_set_antialias(cairo, CAIRO_ANTIALIAS_FAST);
+    /* Never with CAIRO_ANTIALIAS_FAST: what cairo 1.16 does then writes beyond its memory where a curve is crowded. */
     set_colour(cairo, layout.theme->background, 1);
     cairo_rectangle(cairo, 0, 0, width, height);
     cairo_fill(cairo);

@@ -54,7 +54,7 @@ typedef struct {
     /* Of a graph in a window */
     const double *cursor;             /* x of an upright line with a dot on every curve there: "now"; NULL: none */
     const TinkerPlotReading *reading; /* NULL: none */
-    gboolean quick;                   /* edges in coarser shades, at less than half the cost */
+    gboolean quick;                   /* curves in coarser columns: for what is drawn anew at once */
     TinkerPaintMemory *memory;        /* that all pictures of the graph share, so that each takes less time; or NULL */
 } TinkerPlot;
 

@@ -1,5 +1,7 @@
 #!/usr/bin/python3
 """Where the parts of the window are: what comes and goes moves nothing, and there is room for what matters."""
+import json
+import pathlib
 import re
 
 from harness import App, check, check_equal, main, mass, scene, spring, support, wait
@@ -92,6 +94,17 @@ def test_names_of_the_pages_are_whole_in_a_small_window(display):
         wait(lambda: width_of_window(app) == 800, "the window to be small")
         for name, width in whole.items():
             check_equal(app.find("label", name, inside=app.find("tab", name)).box()[2], width, f"width of {name} (px)")
+
+
+def test_crowded_curve_in_a_small_window_while_it_plays(display):
+    """Forty swings in a graph of some hundred pixels: cairo's fast smoothing wrote beyond its memory, and the program ended."""
+    scenes = pathlib.Path(__file__).resolve().parents[3] / "host" / "scenes"
+    with App(display, json.loads((scenes / "beats.tinker.json").read_text())) as app:
+        app.activate("play")
+        widest = max(app.windows(), key=lambda window: window[1][2])
+        app.xdotool("windowsize", widest[0], 800, 500)
+        wait(lambda: width_of_window(app) == 800, "the window to be small")
+        wait(lambda: app.time() > 1, "it to play on")
 
 
 TAKES_FOCUS = ("button", "toggle button", "check box", "entry", "text", "slider", "combo box")
