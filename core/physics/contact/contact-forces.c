@@ -9,8 +9,10 @@
 #include "physics/contact/contacts.h"
 #include "physics/model/model-data.h"
 
-/* Of the applied accelerations. */
-#define CANCELLED (16 * DBL_EPSILON)
+/* Accelerations that cancel leave this share of their magnitudes, and as often as much as there are this many rows: the
+ * solve of n rows rounds n times. */
+#define CANCELLED      (16 * DBL_EPSILON)
+#define CANCELLED_ROWS 4.0
 
 static const double *acceleration_of(const TinkerContacts *contacts, const TinkerContact *contact)
 {
@@ -286,7 +288,9 @@ static void accelerate_along(const TinkerContacts *contacts, const TinkerContact
 {
     for (int32_t k = 0; k < entries->count; k++) {
         const int32_t at = entries->coordinate[k], body = tinker_model_moved_by(contacts->model, at);
-        a[at] += entries->row[1][k] * force * contacts->model->inverse_mass[body];
+        const double part = entries->row[1][k] * force * contacts->model->inverse_mass[body];
+        a[at] += part;
+        contacts->acts[at] += fabs(part);
     }
 }
 
@@ -304,7 +308,9 @@ static void accelerate_by(const TinkerContacts *contacts, const TinkerContactRow
     for (int32_t k = 0; k < entries->count; k++) {
         const int32_t at = entries->coordinate[k];
         const double along = entries->row[row->tangential][k] + (row->tangential ? 0 : row->share * entries->row[1][k]);
-        a[at] += along * force * model->inverse_mass[tinker_model_moved_by(model, at)];
+        const double part = along * force * model->inverse_mass[tinker_model_moved_by(model, at)];
+        a[at] += part;
+        contacts->acts[at] += fabs(part);
     }
     if (row->resisting >= 0) accelerate_along(contacts, resisting_of(contacts, row), force * row->resisting_share, a);
 }
@@ -390,11 +396,11 @@ static inline void accelerate_alone(TinkerContacts *contacts, TinkerContact *con
 /* What forces that cancel leave of accelerations is nothing: else the steps of what lies still would resolve it. */
 static void clear_rest(const TinkerContacts *contacts, const TinkerContactEntries *entries, double *a)
 {
+    const double share = CANCELLED * fmax(1, contacts->rows->len / CANCELLED_ROWS);
     for (int32_t k = 0; k < entries->count; k++) {
         const int32_t at = entries->coordinate[k], body = tinker_model_moved_by(contacts->model, at);
-        const double *applied = contacts->before + 2 * body;
-        const double acts = fabs(applied[0]) + fabs(applied[1]) + fabs(contacts->before[at]);
-        if (fabs(a[at]) <= CANCELLED * acts) a[at] = 0;
+        const double *of_body = contacts->acts + 2 * body;
+        if (fabs(a[at]) <= share * (of_body[0] + of_body[1] + contacts->acts[at])) a[at] = 0;
     }
 }
 
@@ -404,7 +410,8 @@ void tinker_contacts_accelerate(TinkerContacts *contacts, double *a)
     contacts->evaluations++;
     for (guint i = 0; i < contacts->simple->len; i++)
         accelerate_alone(contacts, tinker_contacts_closed(contacts, (guint)simple[i]), a);
-    if (contacts->entries->len > 0) memcpy(contacts->before, a, (gsize)contacts->model->coordinates * sizeof(double));
+    for (int32_t i = 0; contacts->entries->len > 0 && i < contacts->model->coordinates; i++)
+        contacts->acts[i] = fabs(a[i]);
     if (contacts->rows->len > 0) accelerate_rows(contacts, a);
     if (contacts->model->constraints.rows > 0) tinker_constraints_accelerate(contacts->model, a);
     tinker_contacts_note_pin_forces(contacts);

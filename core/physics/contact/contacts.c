@@ -216,6 +216,7 @@ TinkerContacts *tinker_contacts_new(TinkerModel *model)
     contacts->eliminations = g_new0(TinkerContactElimination *, MAX(model->bodies, 1));
     contacts->column = g_new0(double, (gsize)MAX(model->coordinates, 1));
     contacts->before = g_new0(double, (gsize)MAX(model->coordinates, 1));
+    contacts->acts = g_new0(double, (gsize)MAX(model->coordinates, 1));
     contacts->accelerations = g_new0(double, (gsize)MAX(model->coordinates, 1));
     find_shapes(contacts, any_body);
     find_surfaces(contacts);
@@ -240,32 +241,15 @@ void tinker_contacts_free(TinkerContacts *contacts)
     g_array_unref(contacts->blocks);
     for (int32_t i = 0; i < contacts->model->bodies; i++)
         tinker_contact_elimination_free(contacts->eliminations[i]);
-    gpointer arrays[] = {contacts->plates,
-                         contacts->half_height,
-                         contacts->held,
-                         contacts->surfaces,
-                         contacts->group,
-                         contacts->delassus,
-                         contacts->demand,
-                         contacts->accelerations,
-                         contacts->column,
-                         contacts->before,
-                         contacts->base,
-                         contacts->found,
-                         contacts->eliminations,
-                         contacts->equations[FALSE],
-                         contacts->equations[TRUE],
-                         contacts->reach,
-                         contacts->angle,
-                         contacts->first_gap,
-                         contacts->outlines,
-                         contacts->pairs,
-                         contacts->functions,
-                         contacts->corners,
-                         contacts->pins.free,
-                         contacts->pins.answers,
-                         contacts->pins.found,
-                         contacts->pins.before};
+    gpointer arrays[] = {contacts->plates,          contacts->half_height,   contacts->held,
+                         contacts->surfaces,        contacts->group,         contacts->delassus,
+                         contacts->demand,          contacts->accelerations, contacts->column,
+                         contacts->before,          contacts->acts,          contacts->base,
+                         contacts->found,           contacts->eliminations,  contacts->equations[FALSE],
+                         contacts->equations[TRUE], contacts->reach,         contacts->angle,
+                         contacts->first_gap,       contacts->outlines,      contacts->pairs,
+                         contacts->functions,       contacts->corners,       contacts->pins.free,
+                         contacts->pins.answers,    contacts->pins.found,    contacts->pins.before};
     for (gsize i = 0; i < G_N_ELEMENTS(arrays); i++)
         g_free(arrays[i]);
     g_free(contacts);

@@ -181,6 +181,7 @@ struct _TinkerContacts {
     double *demand, *base, *found;           /* of all rows; of all rows; of all rows */
     TinkerContactEquation *equations[2];     /* of all rows, as the blocks have them: for forces; for moves */
     double *column, *accelerations, *before; /* 2 per body */
+    double *acts;                            /* by coordinate: the magnitudes of what accelerates it, added up */
     gboolean pushed;                         /* held bodies, which constraints have not answered to yet */
     gint64 evaluations;                      /* of closed contacts, ever: 0 where nothing touched */
 };
