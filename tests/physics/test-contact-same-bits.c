@@ -135,11 +135,38 @@ static void test_only_when_asked_for(void)
     g_assert_cmpint(lands->model->contacts->evaluations, >, 0);
 }
 
+/* --- apart --- */
+
+/* A box that slides and bears another, whose corners stick: more equations than the motion asks for. */
+#define PILE(x, mass)                                                                                                  \
+    "{'type': 'box', 'position': [" x ", 0.3], 'width': 2, 'height': 0.6, 'mass': " mass ", 'velocity': [2, 0]},"      \
+    "{'type': 'box', 'position': [" x ", 0.75], 'width': 0.7, 'height': 0.3, 'velocity': [2, 0]}"
+
+/* Two piles may meet, but do not touch: what one does is no part of the other's equations. */
+static void test_piles_apart(void)
+{
+    const PhysicsOptions options = {.method = "rk4", .step = 1.0 / 256, .duration = 0.25};
+    static const char floor[] =
+        CONTACT_WEIGHT CONTACT_FLOOR ", 'width': 90, 'static_friction': 0.4, 'dynamic_friction': 0.37}";
+    g_autoptr(PhysicsRun) alone = physics_run(&options, "%s, " PILE("0", "1.7"), floor);
+    g_autoptr(PhysicsRun) beside = physics_run(&options, "%s, " PILE("0", "1.7") ", " PILE("20.3", "3.1"), floor);
+    g_assert_cmpint(beside->model->contacts->group[0], ==, beside->model->contacts->group[3]);
+    g_assert_cmpuint(alone->model->contacts->blocks->len, ==, 1);
+    g_assert_cmpuint(beside->model->contacts->blocks->len, ==, 2);
+    for (int k = 0; k < 2; k++) {
+        double left[4], right[4];
+        physics_state(alone, k == 0 ? "Box 0" : "Box 1", left);
+        physics_state(beside, k == 0 ? "Box 0" : "Box 1", right);
+        g_assert_cmpmem(left, sizeof(left), right, sizeof(right));
+    }
+}
+
 static void add_tests(void)
 {
     g_test_add_func("/physics/contact-same-bits/without-solid-supports", test_without_solid_supports);
     g_test_add_func("/physics/contact-same-bits/far-from-solid-supports", test_far_from_solid_supports);
     g_test_add_func("/physics/contact-same-bits/only-when-asked-for", test_only_when_asked_for);
+    g_test_add_func("/physics/contact-same-bits/piles-apart", test_piles_apart);
     g_test_add_func("/physics/contact-same-bits/recording", test_recording);
     g_test_add_func("/physics/contact-same-bits/two-methods", test_two_methods);
 }

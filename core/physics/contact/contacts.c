@@ -114,35 +114,27 @@ static void tie_together(const TinkerModel *model, int32_t *sets)
     }
 }
 
-int32_t *tinker_contacts_leaning(const TinkerContacts *contacts)
+static void name_by_first(int32_t *sets, int32_t count)
 {
-    const TinkerModel *model = contacts->model;
-    int32_t *sets = g_new(int32_t, MAX(model->bodies, 1));
-    tie_together(model, sets);
-    for (guint i = 0; i < contacts->closed->len; i++) {
-        const TinkerContact *contact = tinker_contacts_closed(contacts, i);
-        const TinkerTouchingPair *pair = contacts->plates[contact->plate].pair;
-        if (pair != NULL && pair->point[1] < model->bodies) tinker_sets_join(sets, pair->point[0], pair->point[1]);
-    }
-    for (int32_t i = 0; i < model->bodies; i++)
+    for (int32_t i = 0; i < count; i++)
         sets[i] = tinker_sets_first(sets, i);
-    return sets;
 }
 
-/* What constraints tie together, and what may meet, known by the first of them. */
+/* What constraints tie together, and what may meet besides. */
 static void find_groups(TinkerContacts *contacts)
 {
     const TinkerModel *model = contacts->model;
     const TinkerConstraints *all = &model->constraints;
-    tie_together(model, contacts->group);
+    tie_together(model, contacts->tied);
+    name_by_first(contacts->tied, model->bodies);
+    memcpy(contacts->group, contacts->tied, (gsize)model->bodies * sizeof(int32_t));
     for (int32_t row = 0; row < all->rows; row++)
         for (int32_t e = all->row_starts[row]; e < all->row_starts[row + 1]; e++)
             if (all->points[e] < model->bodies) contacts->held[all->points[e]] = TRUE;
     for (int32_t i = 0; i < contacts->pair_count; i++)
         if (contacts->pairs[i].point[1] < model->bodies)
             tinker_sets_join(contacts->group, contacts->pairs[i].point[0], contacts->pairs[i].point[1]);
-    for (int32_t i = 0; i < model->bodies; i++)
-        contacts->group[i] = tinker_sets_first(contacts->group, i);
+    name_by_first(contacts->group, model->bodies);
 }
 
 static void block_clear(gpointer data)
@@ -202,6 +194,8 @@ TinkerContacts *tinker_contacts_new(TinkerModel *model)
     contacts->held = g_new0(gboolean, MAX(model->bodies, 1));
     contacts->surfaces = g_new0(TinkerSurface, MAX(model->bodies, 1));
     contacts->group = g_new0(int32_t, MAX(model->bodies, 1));
+    contacts->tied = g_new0(int32_t, MAX(model->bodies, 1));
+    contacts->touching = g_new0(int32_t, MAX(model->bodies, 1));
     contacts->reach = g_new0(double, MAX(model->bodies, 1));
     contacts->angle = g_new0(double, MAX(model->bodies, 1));
     contacts->unturned = g_ptr_array_new_with_free_func(g_free);
@@ -241,15 +235,35 @@ void tinker_contacts_free(TinkerContacts *contacts)
     g_array_unref(contacts->blocks);
     for (int32_t i = 0; i < contacts->model->bodies; i++)
         tinker_contact_elimination_free(contacts->eliminations[i]);
-    gpointer arrays[] = {contacts->plates,          contacts->half_height,   contacts->held,
-                         contacts->surfaces,        contacts->group,         contacts->delassus,
-                         contacts->demand,          contacts->accelerations, contacts->column,
-                         contacts->before,          contacts->acts,          contacts->base,
-                         contacts->found,           contacts->eliminations,  contacts->equations[FALSE],
-                         contacts->equations[TRUE], contacts->reach,         contacts->angle,
-                         contacts->first_gap,       contacts->outlines,      contacts->pairs,
-                         contacts->functions,       contacts->corners,       contacts->pins.free,
-                         contacts->pins.answers,    contacts->pins.found,    contacts->pins.before};
+    gpointer arrays[] = {contacts->plates,
+                         contacts->half_height,
+                         contacts->held,
+                         contacts->surfaces,
+                         contacts->group,
+                         contacts->tied,
+                         contacts->touching,
+                         contacts->delassus,
+                         contacts->demand,
+                         contacts->accelerations,
+                         contacts->column,
+                         contacts->before,
+                         contacts->acts,
+                         contacts->base,
+                         contacts->found,
+                         contacts->eliminations,
+                         contacts->equations[FALSE],
+                         contacts->equations[TRUE],
+                         contacts->reach,
+                         contacts->angle,
+                         contacts->first_gap,
+                         contacts->outlines,
+                         contacts->pairs,
+                         contacts->functions,
+                         contacts->corners,
+                         contacts->pins.free,
+                         contacts->pins.answers,
+                         contacts->pins.found,
+                         contacts->pins.before};
     for (gsize i = 0; i < G_N_ELEMENTS(arrays); i++)
         g_free(arrays[i]);
     g_free(contacts);
@@ -371,18 +385,28 @@ static void add_rows(TinkerContacts *contacts, int32_t number)
     g_array_append_val(contacts->rows, tangential);
 }
 
-static int32_t group_of(const TinkerContacts *contacts, guint row)
+/* What constraints tie together and what touches: what acts on one of these bodies moves no other. */
+static void find_touching(TinkerContacts *contacts)
 {
-    int32_t contact = g_array_index(contacts->rows, TinkerContactRow, row).contact;
-    return contacts->group[tinker_contacts_closed(contacts, (guint)contact)->body];
+    const TinkerModel *model = contacts->model;
+    memcpy(contacts->touching, contacts->tied, (gsize)model->bodies * sizeof(int32_t));
+    for (guint i = 0; i < contacts->closed->len; i++) {
+        const TinkerTouchingPair *pair = contacts->plates[tinker_contacts_closed(contacts, i)->plate].pair;
+        if (pair != NULL && pair->point[1] < model->bodies)
+            tinker_sets_join(contacts->touching, pair->point[0], pair->point[1]);
+    }
+    name_by_first(contacts->touching, model->bodies);
 }
 
-static int by_group(const void *left, const void *right, void *data)
+static int32_t set_of(const TinkerContacts *contacts, const TinkerContactRow *row)
+{
+    return contacts->touching[tinker_contacts_closed(contacts, (guint)row->contact)->body];
+}
+
+static int by_set(const void *left, const void *right, void *data)
 {
     const TinkerContactRow *l = left, *r = right;
-    const TinkerContacts *contacts = data;
-    int32_t of_l = contacts->group[tinker_contacts_closed(contacts, (guint)l->contact)->body];
-    int32_t of_r = contacts->group[tinker_contacts_closed(contacts, (guint)r->contact)->body];
+    const int32_t of_l = set_of(data, l), of_r = set_of(data, r);
     if (of_l != of_r) return of_l < of_r ? -1 : 1;
     if (l->contact != r->contact) return l->contact < r->contact ? -1 : 1;
     return l->tangential - r->tangential;
@@ -432,15 +456,17 @@ static gboolean add_block(TinkerContacts *contacts, guint first, guint count)
     return block.solve[FALSE] != NULL && block.solve[TRUE] != NULL;
 }
 
-/* Rows of one group stand together and are solved together. Answers the rows of the largest that has a matrix, at least
+/* Rows of one set stand together and are solved together. Answers the rows of the largest that has a matrix, at least
  * 1; 0: no memory. */
 static gsize find_blocks(TinkerContacts *contacts)
 {
     gsize most = 1;
-    g_array_sort_with_data(contacts->rows, by_group, contacts);
+    find_touching(contacts);
+    g_array_sort_with_data(contacts->rows, by_set, contacts);
+    const TinkerContactRow *rows = (const TinkerContactRow *)(const void *)contacts->rows->data;
     for (guint first = 0, end; first < contacts->rows->len; first = end) {
-        int32_t group = group_of(contacts, first);
-        for (end = first + 1; end < contacts->rows->len && group_of(contacts, end) == group;)
+        for (end = first + 1;
+             end < contacts->rows->len && set_of(contacts, &rows[end]) == set_of(contacts, &rows[first]);)
             end++;
         if (!add_block(contacts, first, end - first)) return 0;
         if (g_array_index(contacts->blocks, TinkerContactBlock, contacts->blocks->len - 1).elimination == NULL)

@@ -120,7 +120,7 @@ typedef struct {
     double pin_slope; /* of a pin that turns: its friction over the magnitude of its force; else 0 */
 } TinkerContactRow;
 
-/* Rows of one group of bodies, behind one another: no other row changes what they ask for. */
+/* Rows of bodies that are tied together or touch, behind one another: no other row changes what they ask for. */
 typedef struct {
     int32_t first, count;
     gboolean held;              /* W changes with the constraints or the state; else it is factored once */
@@ -163,8 +163,9 @@ struct _TinkerContacts {
     gboolean own_surfaces;   /* some body has one of its own */
     double *half_height;     /* of each body; NAN: it touches nothing */
     gboolean *held;          /* by body: a constraint acts on it */
-    int32_t *group;          /* by body: the first body of those that constraints tie to it; contacts of one group are
-                                decided together */
+    int32_t *tied;           /* by body: the first of those that constraints tie together; */
+    int32_t *group;          /* of those that may touch besides: contacts of one group are decided together; */
+    int32_t *touching;       /* of those that touch besides, when rows were listed last */
 
     GArray *closed;    /* of TinkerContact, by body, then by plate */
     gboolean impulses; /* act on them, step by step (impulse.h): they are no equations, and have none */
@@ -362,9 +363,6 @@ static inline gboolean tinker_contact_block_is_full(const TinkerContactBlock *bl
 {
     return block->elimination != NULL ? block->full : tinker_dense_solve_is_full(block->solve[FALSE]);
 }
-/* For each body the first of those that lean on one another with it, by closed contacts and by what ties them.
- * (transfer full) */
-int32_t *tinker_contacts_leaning(const TinkerContacts *contacts);
 /* Takes over the shares of the load (base_normal, base_friction) of contacts whose equations are listed. */
 void tinker_contacts_take_shares(TinkerContacts *contacts);
 /* Records that there is no memory for the equations of so many contacts at once, as the model's failure. Answers

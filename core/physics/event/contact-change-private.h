@@ -35,7 +35,7 @@ typedef struct {
     int32_t group;
     GArray *touches;  /* of TinkerTouch: of this group of bodies */
     GArray *told;     /* of TinkerToldEvent: two corners of one pair that do the same are one event */
-    int32_t *leaning; /* by body: what shares its load anew (contact-shares.c); NULL: the whole group */
+    gboolean apart;   /* only what leans on the trigger's body shares its load anew (contact-shares.c) */
     gboolean forced;  /* what was found to reach the limit of sticking slips, whatever the laws could share otherwise */
     double tolerance; /* m: within it a gap is closed */
     double speed, slow;   /* m/s: the largest; the share of it that is still */

@@ -26,9 +26,9 @@ static gboolean keeps_laws(const TinkerContacts *contacts, const TinkerContact *
 /* Whether the load of this closed contact is shared anew. */
 static gboolean is_asked(const TinkerContactChange *change, const TinkerContact *contact)
 {
-    const int32_t *leaning = change->leaning;
-    if (change->contacts->group[contact->body] != change->group) return FALSE;
-    return leaning == NULL || leaning[contact->body] == leaning[change->trigger.body];
+    const TinkerContacts *contacts = change->contacts;
+    if (contacts->group[contact->body] != change->group) return FALSE;
+    return !change->apart || contacts->touching[contact->body] == contacts->touching[change->trigger.body];
 }
 
 /* The share of least norm. */
@@ -132,8 +132,9 @@ gboolean tinker_change_shares_load(const TinkerContactChange *change)
     for (guint i = 0; i < contacts->blocks->len; i++) {
         const TinkerContactBlock *block = &g_array_index(contacts->blocks, TinkerContactBlock, i);
         int32_t contact = g_array_index(contacts->rows, TinkerContactRow, (guint)block->first).contact;
-        if (contacts->group[tinker_contacts_closed(contacts, (guint)contact)->body] == change->group)
-            return !tinker_contact_block_is_full(block);
+        if (contacts->group[tinker_contacts_closed(contacts, (guint)contact)->body] == change->group &&
+            !tinker_contact_block_is_full(block))
+            return TRUE;
     }
     return FALSE;
 }
@@ -142,9 +143,9 @@ gboolean tinker_change_shares_load(const TinkerContactChange *change)
  */
 static gboolean share_where_it_turns(TinkerContactChange *change)
 {
-    change->leaning = tinker_contacts_leaning(change->contacts);
+    change->apart = TRUE;
     const gboolean shared = try_share(change, share_evenly) || share_within(change);
-    g_clear_pointer(&change->leaning, g_free);
+    change->apart = FALSE;
     return shared;
 }
 
