@@ -159,7 +159,7 @@ static void test_painleve(void)
 }
 
 /* Of several contacts, wherever no forces exist: an impulse that is one, keeps the laws of impact without restitution
- * and takes energy. */
+ * and takes energy. What is taken to be at rest may move a little: the blow before left it so. */
 static void test_random_jams(void)
 {
     g_autoptr(GRand) random = g_rand_new_with_seed(7);
@@ -169,18 +169,20 @@ static void test_random_jams(void)
         int32_t count = g_rand_int_range(random, 1, 5);
         contact_case_fill(&bodies, random, count, 2 * count + 1, FALSE, 2);
         double f[CASE_WIDTH], p[CASE_WIDTH], u[CASE_WIDTH], after[CASE_WIDTH], rounding[CASE_WIDTH], most = 0;
+        double seen[CASE_WIDTH] = {0};
         TinkerContactMode modes[CASE_CONTACTS];
         for (int32_t k = 0; k < count; k++) {
             bodies.friction[k] = g_rand_double_range(random, 0, 3);
             u[2 * k] = 0;
             u[2 * k + 1] = g_rand_int_range(random, 0, 4) ? g_rand_double_range(random, -1, 1) : 0;
             bodies.sliding[k] = (int8_t)((u[2 * k + 1] > 0) - (u[2 * k + 1] < 0));
+            seen[2 * k + 1] = bodies.sliding[k] != 0 ? u[2 * k + 1] : round % 2 == 0 ? 1e-5 : -1e-5;
         }
         TinkerClosedContacts closed = {count,           bodies.delassus, bodies.before, bodies.sliding,
                                        bodies.friction, bodies.friction, 1e-13};
         if (tinker_contact_modes(&closed, modes, f) == TINKER_CONTACT_SOLVED) continue;
         jams++;
-        g_assert_cmpint(tinker_contact_jam(&closed, u, p), ==, TINKER_CONTACT_SOLVED);
+        g_assert_cmpint(tinker_contact_jam(&closed, seen, p), ==, TINKER_CONTACT_SOLVED);
         memcpy(bodies.before, u, sizeof u);
         contact_case_after(&bodies, p, after, rounding);
         for (int32_t k = 0; k < count; k++) {

@@ -104,7 +104,8 @@ TinkerContactResult tinker_contact_jam(const TinkerClosedContacts *closed, const
     TinkerContactResult result = TINKER_CONTACT_SOLVED;
     for (int32_t pass = 0; pass < 2 && result == TINKER_CONTACT_SOLVED; pass++, moment /= 2) {
         for (int32_t i = 0; i < 2 * m; i++)
-            room.offset[i] = (i % 2 == 0 ? 0 : velocity[i]) + moment * closed->acceleration[i];
+            room.offset[i] =
+                (i % 2 == 0 || closed->sliding[i / 2] == 0 ? 0 : velocity[i]) + moment * closed->acceleration[i];
         result = tinker_contact_solve(&problem, pass == 0 ? impulses : half);
     }
     for (int32_t k = 0; k < m && result == TINKER_CONTACT_SOLVED; k++) {

@@ -123,7 +123,8 @@ typedef struct {
 TinkerContactResult tinker_contact_modes(const TinkerClosedContacts *closed, TinkerContactMode *modes, double *forces);
 
 /* Where tinker_contact_modes has no solution: the impulses (2m), without any approach, that end the sliding of the
- * contacts that jam. `velocity` as in TinkerImpact; its normal entries count as 0. They keep the laws of an impact
+ * contacts that jam. `velocity` as in TinkerImpact; its normal entries count as 0, and so do those along contacts that
+ * are taken to be at rest, whose friction may well be what the others jam against. They keep the laws of an impact
  * without restitution: where p_n > 0, u_n' = 0, and u_t' = 0 or p_t = -friction p_n sign(u_t'); static coefficients at
  * contacts at rest. */
 TinkerContactResult tinker_contact_jam(const TinkerClosedContacts *closed, const double *velocity, double *impulses);
