@@ -19,6 +19,9 @@ enum {
     COLUMN_COUNT,
 };
 
+/* The radius of a pin's ring, of half the width of its ground. */
+#define RING_SHARE 0.25
+
 /* Of a point; those of its contacts follow. */
 enum { POINT_QUANTITIES = 6 };
 
@@ -90,7 +93,8 @@ static void draw_pin(const TinkerInstance *instance, struct _cairo *cairo, const
     draw_own_line(instance, cairo, style, top, left, 0);
     draw_own_line(instance, cairo, style, top, right, 0);
     draw_own_line(instance, cairo, style, left, right, 1);
-    style->circle(style, cairo, TINKER_COLOUR_SUPPORT, TINKER_COLOUR_BODY_EDGE, instance->x, instance->y, half / 4.0);
+    style->circle(style, cairo, TINKER_COLOUR_SUPPORT, TINKER_COLOUR_BODY_EDGE, instance->x, instance->y,
+                  RING_SHARE * half);
 }
 
 static void draw(const TinkerInstance *instance, struct _cairo *cairo, const TinkerStyle *style)
@@ -111,14 +115,15 @@ static void bounds(const TinkerInstance *instance, const TinkerStyle *style, dou
 
 /* Editing */
 
-/* A pin lies below its centre, where it leaves free what hangs on it. */
+/* A pin lies below its ring, where it leaves free what hangs on it. */
 static int32_t hit(const TinkerInstance *instance, double x, double y, double reach)
 {
     double columns[COLUMN_COUNT];
     TinkerInstance drawn = as_drawn(instance, columns);
     if (instance->columns[COLUMN_SOLID] == 0.0) {
-        columns[COLUMN_HEIGHT] /= 2.0;
-        tinker_box_to_world(instance, 0.0, -columns[COLUMN_HEIGHT] / 2.0, &drawn.x, &drawn.y);
+        const double below = columns[COLUMN_HEIGHT] / 2.0, above = RING_SHARE * columns[COLUMN_WIDTH] / 2.0;
+        columns[COLUMN_HEIGHT] = below + above;
+        tinker_box_to_world(instance, 0.0, (above - below) / 2.0, &drawn.x, &drawn.y);
     }
     return tinker_box_hit(&drawn, &box_columns, x, y, reach);
 }
