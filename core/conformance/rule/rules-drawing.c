@@ -29,6 +29,8 @@ typedef struct {
     TinkerStyleBrush brush;
     cairo_surface_t *surface;
     cairo_t *cairo;
+    const unsigned char *ink; /* of the surface, drawn; rows of `stride` bytes */
+    int stride;
     double bounds[4];
     char *fault;      /* what the drawing did to the context; or NULL */
     char *not_finite; /* a helper that was given a number that is not finite, with the numbers; or NULL */
@@ -118,12 +120,13 @@ static void draw(KitCheck *check, Picture *picture)
     kit_phase(check, "bounds at %s", picture->state->label);
     find_bounds(picture, render);
     cairo_surface_flush(picture->surface);
+    picture->ink = cairo_image_surface_get_data(picture->surface);
+    picture->stride = cairo_image_surface_get_stride(picture->surface);
 }
 
 static gboolean has_ink(const Picture *picture, int column, int row)
 {
-    const unsigned char *data = cairo_image_surface_get_data(picture->surface);
-    return data[row * cairo_image_surface_get_stride(picture->surface) + column] >= FAINT;
+    return picture->ink[row * picture->stride + column] >= FAINT;
 }
 
 static gboolean is_inside(const double *bounds, double x, double y, double slack)
