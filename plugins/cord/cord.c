@@ -223,11 +223,7 @@ static int32_t hit(const TinkerInstance *instance, double x, double y, double re
     if (fabs(out - instance->columns[COLUMN_RADIUS]) <= reach) return TINKER_PART_WHOLE;
     double line[2 * TINKER_HANGING_POINTS];
     const int32_t points = free_line(instance, &t, line);
-    for (int32_t k = 1; k < points; k++) {
-        const double *p = line + 2 * k;
-        if (tinker_segment_distance(x, y, p[-2], p[-1], p[0], p[1]) <= reach) return TINKER_PART_WHOLE;
-    }
-    return TINKER_PART_NONE;
+    return tinker_polyline_is_near(line, points, x, y, reach) ? TINKER_PART_WHOLE : TINKER_PART_NONE;
 }
 
 static int32_t handles(const TinkerInstance *instance, TinkerHandle *list, int32_t room)

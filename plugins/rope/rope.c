@@ -158,6 +158,21 @@ static void draw(const TinkerInstance *instance, struct _cairo *cairo, const Tin
     tinker_ends_draw_marks(instance, cairo, style);
 }
 
+/* A slack one where it hangs, between the centres of its wheels. */
+static int32_t hit(const TinkerInstance *instance, double x, double y, double reach)
+{
+    const double factor = hangs_by(instance);
+    if (!(factor > 1.0)) return tinker_connector_hit(instance, x, y, reach);
+    const int32_t part = tinker_ends_hit(instance, x, y, reach);
+    for (int32_t k = 1; part == TINKER_PART_NONE && k < instance->ends; k++) {
+        const TinkerEnd *a = &instance->end[k - 1], *b = a + 1;
+        double points[2 * TINKER_HANGING_POINTS];
+        tinker_hanging_line(a->x, a->y, b->x, b->y, factor * strand(instance, k), points);
+        if (tinker_polyline_is_near(points, TINKER_HANGING_POINTS, x, y, reach)) return TINKER_PART_WHOLE;
+    }
+    return part;
+}
+
 static void bounds(const TinkerInstance *instance, const TinkerStyle *style, double box[4])
 {
     const double factor = hangs_by(instance), margin = tinker_drawing_margin(style);
@@ -215,8 +230,7 @@ static const TinkerConstraint constraint = {.struct_size = sizeof(TinkerConstrai
                                             .distance = distance};
 static const TinkerPhysics physics = {.struct_size = sizeof(TinkerPhysics), .constraint = &constraint};
 static const TinkerRender render = {sizeof(TinkerRender), 2, draw, bounds};
-static const TinkerEdit edit = {sizeof(TinkerEdit),        0,   tinker_connector_hit, tinker_ends_move,
-                                tinker_ends_move_absolute, NULL};
+static const TinkerEdit edit = {sizeof(TinkerEdit), 0, hit, tinker_ends_move, tinker_ends_move_absolute, NULL};
 static const TinkerGraph graph = {sizeof(TinkerGraph), 0, values};
 
 static const TinkerUnitChoice unit_choices[] = {{"length", "m", "ft"}, {"tension", "N", "lbf"}, {"slack", "m", "ft"}};

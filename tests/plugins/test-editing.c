@@ -180,6 +180,32 @@ static void test_box_handles(gconstpointer data)
     g_assert_cmpint(stage.edit->handles(&stage.instance, &handle, 0), ==, 0);
 }
 
+/* y = cosh(x), of which 2 sinh(1) hang between places at x = -1 and 1: hit at its lowest point, and taut at its way. */
+static void assert_hit_where_it_hangs(Stage *stage)
+{
+    *stage_column(stage, "length") = 2 * sinh(1);
+    g_assert_cmpint(hit(stage, 0, 1), ==, TINKER_PART_WHOLE);
+    g_assert_cmpint(hit(stage, 0, cosh(1)), ==, TINKER_PART_NONE);
+    *stage_column(stage, "length") = 2;
+    g_assert_cmpint(hit(stage, 0, 1), ==, TINKER_PART_NONE);
+    g_assert_cmpint(hit(stage, 0, cosh(1)), ==, TINKER_PART_WHOLE);
+}
+
+static void test_hanging(void)
+{
+    Stage stage;
+    stage_init(&stage, "rope");
+    stage.instance.ends = 2;
+    stage.ends[0] = (TinkerEnd){.x = -1, .y = cosh(1)};
+    stage.ends[1] = (TinkerEnd){.x = 1, .y = cosh(1)};
+    assert_hit_where_it_hangs(&stage);
+    stage_init(&stage, "cord"); /* it leaves the top of its disc */
+    *stage_column(&stage, "radius") = 0.5;
+    stage.ends[0] = (TinkerEnd){.x = -1, .y = cosh(1) - 0.5};
+    stage.ends[1] = (TinkerEnd){.x = 1, .y = cosh(1)};
+    assert_hit_where_it_hangs(&stage);
+}
+
 /* Of a slab of 4 m x 0.4 m that is not solid a pin is drawn: 0.4 m wide, its top at (1, 2). */
 static void test_pivot(void)
 {
@@ -356,6 +382,7 @@ int main(int argc, char **argv)
         g_autofree char *path = g_strdup_printf("/plugins/editing/%s/%s", tests[i].data, tests[i].name);
         g_test_add_data_func(path, tests[i].data, tests[i].function);
     }
+    g_test_add_func("/plugins/editing/hanging", test_hanging);
     g_test_add_func("/plugins/editing/support/pivot", test_pivot);
     g_test_add_func("/plugins/editing/mass/dot", test_dot_hit);
     g_test_add_func("/plugins/editing/mass/local-origin", test_local_origin_leaves_the_centre_free);

@@ -159,6 +159,16 @@ static inline double tinker_hanging_depth(double y1, double y2, double length)
     return slack > 0.0 ? slack / 2.0 : 0.0;
 }
 
+/* Whether a place is within reach of a line through so many points, as x, y. */
+static inline int tinker_polyline_is_near(const double *points, int32_t count, double x, double y, double reach)
+{
+    for (int32_t k = 1; k < count; k++) {
+        const double *p = points + 2 * k;
+        if (tinker_segment_distance(x, y, p[-2], p[-1], p[0], p[1]) <= reach) return 1;
+    }
+    return 0;
+}
+
 /* Arrows --------------------------------------------------------------------------------------------------------- */
 
 typedef struct TinkerArrow {
