@@ -212,11 +212,10 @@ void tinker_axis_choose_ticks(TinkerAxis *axis, int most, const char *label)
 {
     tinker_axis_clear(axis);
     most = CLAMP(most, 2, TINKER_PLOT_MOST_TICKS);
-    int decades = (int)floor(axis->high + 1e-9) - (int)ceil(axis->low - 1e-9) + 1;
     axis->decade_stride = 0;
     gboolean numbered = axis->logarithmic && axis->high - axis->low < 2;
     if (numbered && set_one_two_five_ticks(axis, most, label)) return;
-    if (axis->logarithmic && decades >= 2)
+    if (axis->logarithmic && floor(axis->high + 1e-9) - ceil(axis->low - 1e-9) + 1 >= 2)
         set_decade_ticks(axis, most, label);
     else if (axis->logarithmic)
         set_number_ticks(axis, pow(10, axis->low), pow(10, axis->high), MIN(most, 6), label);
