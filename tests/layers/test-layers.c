@@ -273,6 +273,24 @@ static void test_rooms_are_complete(gconstpointer data)
     }
 }
 
+/* Every test's source is built: the meson.build of its folder names it, whole or by what stands behind "test-". */
+static void test_tests_are_built(void)
+{
+    g_autofree char *root = source_path("tests");
+    g_autoptr(GPtrArray) files = source_files(root);
+    for (guint i = 0; i < files->len; i++) {
+        g_autofree char *base = g_path_get_basename(files->pdata[i]), *folder = g_path_get_dirname(files->pdata[i]);
+        if (!g_str_has_prefix(base, "test-") || !g_str_has_suffix(base, ".c")) continue;
+        g_autofree char *build = g_build_filename(root, folder, "meson.build", NULL), *text = NULL;
+        g_autofree char *whole = g_strdup_printf("'%s'", base), *name = g_strndup(whole, strlen(whole) - strlen(".c'"));
+        g_autofree char *short_name = g_strdup_printf("'%s'", name + strlen("'test-"));
+        if (!g_file_get_contents(build, &text, NULL, NULL)) g_error("%s is missing", build);
+        if (strstr(text, whole) || strstr(text, short_name)) continue;
+        g_test_message("%s does not name %s", build, base);
+        g_test_fail();
+    }
+}
+
 /* "mass" is also the name of a dimension, which the units know, and a key of what is written of bodies as JSON. */
 static gboolean names_block(const char *folder, const char *file, const char *literal)
 {
@@ -366,6 +384,7 @@ int main(int argc, char **argv)
         g_autofree char *path = g_strconcat("/rooms/", folders_with_rooms[i].folder, NULL);
         g_test_add_data_func(path, &folders_with_rooms[i], test_rooms_are_complete);
     }
+    g_test_add_func("/tests/are-built", test_tests_are_built);
     g_test_add_data_func("/names/core", "core", test_no_block_is_named);
     g_test_add_data_func("/names/host", "host", test_no_block_is_named);
     g_test_add_func("/links/plugins", test_plugins_link_to_c_alone);
