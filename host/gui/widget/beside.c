@@ -99,3 +99,11 @@ GtkWidget *tinker_beside_new(GtkWidget *first, GtkWidget *second)
     gtk_widget_set_parent(second, GTK_WIDGET(beside));
     return GTK_WIDGET(beside);
 }
+
+void tinker_beside_wrap(GtkWidget *button)
+{
+    GtkLabel *label = GTK_LABEL(gtk_button_get_child(GTK_BUTTON(button)));
+    gtk_label_set_wrap(label, TRUE);
+    gtk_label_set_wrap_mode(label, PANGO_WRAP_WORD_CHAR);
+    gtk_label_set_natural_wrap_mode(label, GTK_NATURAL_WRAP_NONE);
+}

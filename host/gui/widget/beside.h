@@ -10,4 +10,8 @@ G_DECLARE_FINAL_TYPE(TinkerBeside, tinker_beside, TINKER, BESIDE, GtkWidget)
 
 GtkWidget *tinker_beside_new(GtkWidget *first, GtkWidget *second);
 
+/* Lets the text of a button wrap where all of its place is too narrow for it, and nowhere else. Once the button has its
+ * text. */
+void tinker_beside_wrap(GtkWidget *button);
+
 #endif

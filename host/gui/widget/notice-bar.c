@@ -106,10 +106,7 @@ static void fill(TinkerNoticeBar *bar)
     gtk_widget_set_visible(bar->next, bar->listed->len > 1);
     gtk_widget_set_visible(bar->cure, notice->button != NULL);
     gtk_button_set_label(GTK_BUTTON(bar->cure), notice->button != NULL ? notice->button : "");
-    GtkLabel *cure = GTK_LABEL(gtk_button_get_child(GTK_BUTTON(bar->cure)));
-    gtk_label_set_wrap(cure, TRUE); /* where all of the bar is too narrow */
-    gtk_label_set_wrap_mode(cure, PANGO_WRAP_WORD_CHAR);
-    gtk_label_set_natural_wrap_mode(cure, GTK_NATURAL_WRAP_NONE);
+    tinker_beside_wrap(bar->cure);
 }
 
 static void show(TinkerNoticeBar *bar)

@@ -2,6 +2,7 @@
 #include <glib/gi18n.h>
 
 #include "gui/instrument/measure-layer.h"
+#include "gui/widget/beside.h"
 #include "gui/window/window-parts.h"
 
 #define TOOL "measure" /* data of the window */
@@ -67,11 +68,9 @@ static void on_keep(Tool *tool)
 
 static void add_bar(Tool *tool, TinkerMeasuringKind kind)
 {
-    tool->bar = gtk_box_new(GTK_ORIENTATION_HORIZONTAL, 12);
     tool->read = g_object_new(GTK_TYPE_LABEL, "accessible-role", GTK_ACCESSIBLE_ROLE_STATUS, NULL);
     gtk_label_set_wrap(GTK_LABEL(tool->read), TRUE);
     gtk_label_set_xalign(GTK_LABEL(tool->read), 0);
-    gtk_widget_set_hexpand(tool->read, TRUE);
     gtk_widget_add_css_class(tool->read, "numeric");
     tool->keep =
         gtk_button_new_with_mnemonic(kind == TINKER_RULER ? _("_Keep as Dimension") : _("_Keep as Angle Mark"));
@@ -80,9 +79,13 @@ static void add_bar(Tool *tool, TinkerMeasuringKind kind)
     GtkWidget *done = gtk_button_new_with_mnemonic(_("_Put Away"));
     g_signal_connect_swapped(tool->keep, "clicked", G_CALLBACK(on_keep), tool);
     g_signal_connect_swapped(done, "clicked", G_CALLBACK(put_away), tool);
-    GtkWidget *parts[] = {tool->read, tool->keep, done};
-    for (gsize i = 0; i < G_N_ELEMENTS(parts); i++)
-        gtk_box_append(GTK_BOX(tool->bar), parts[i]);
+    GtkWidget *buttons = gtk_box_new(GTK_ORIENTATION_HORIZONTAL, 6), *parts[] = {tool->keep, done};
+    for (gsize i = 0; i < G_N_ELEMENTS(parts); i++) {
+        gtk_widget_set_valign(parts[i], GTK_ALIGN_CENTER);
+        gtk_box_append(GTK_BOX(buttons), parts[i]);
+    }
+    tinker_beside_wrap(tool->keep);
+    tool->bar = tinker_beside_new(tool->read, buttons);
     gtk_widget_add_css_class(tool->bar, "film-bar");
     gtk_box_append(tool->window->banners, tool->bar);
 }

@@ -61,5 +61,21 @@ def test_keys_measure_too_and_nothing_is_left(display):
         check(not app.is_enabled("undo"), "nothing to be undone")
 
 
+def test_buttons_are_inside_of_a_small_window(display):
+    """At 800 by 500 pixels, the least there may be: the hint is no column of letters, and both buttons can be pressed."""
+    with App(display, triangle()) as app:
+        widest = max(app.windows(), key=lambda window: window[1][2])  # others are tips
+        app.xdotool("windowsize", widest[0], 800, 500)
+        app.press("ctrl+shift+r")
+        put_away = app.find("button", "Put Away")
+        wait(lambda: app.canvas_box()[2] < 400, "the canvas to be small")
+        left, top, width, height = app.canvas_box()
+        for button in (app.find("button", "Keep as Angle Mark"), put_away):
+            x, y, across, down = app.settled(button)
+            check(left <= x and x + across <= left + width and y + down <= top + height / 2, f"{button!r} is over the canvas")
+        app.click(put_away)
+        app.gone("button", "Put Away")
+
+
 if __name__ == "__main__":
     main()
