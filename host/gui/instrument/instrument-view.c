@@ -75,9 +75,11 @@ static void show_text(TinkerInstrumentView *view, double si)
     tell(view, text);
 }
 
-/* How many runs a second there is time for, where these are so few that one sees it; or why there is none. */
+/* How many runs a second there is time for, where these are so few that one sees it; or why there is none. What is wrong
+ * with a number that was typed stays as long as that number does. */
 static void show_rate(TinkerInstrumentView *view)
 {
+    if (gtk_widget_has_css_class(view->value, "error")) return;
     const double rate = tinker_hand_rate(view->hand);
     const char *problem = tinker_hand_problem(view->hand);
     const gboolean slow = rate > 0 && rate < TINKER_HAND_RUNS;
@@ -294,6 +296,7 @@ static void add_parts(TinkerInstrumentView *view)
     if (!is_number)
         gtk_accessible_update_property(GTK_ACCESSIBLE(view->part), GTK_ACCESSIBLE_PROPERTY_LABEL, title, -1);
     g_autofree char *value_label = g_strdup_printf(_("Value of %s"), title);
+    if (is_typed) g_signal_connect_swapped(view->value, "notify::css-classes", G_CALLBACK(show_rate), view);
     if (is_typed)
         gtk_accessible_update_property(GTK_ACCESSIBLE(view->value), GTK_ACCESSIBLE_PROPERTY_LABEL, value_label, -1);
     g_autofree char *label =

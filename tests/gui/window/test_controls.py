@@ -115,6 +115,22 @@ def test_typed_value(display):
         check_equal(app.saved()["controls"][0]["to"], 250, "the end of the range")
 
 
+def test_what_is_wrong_with_a_typed_value_stays_while_it_plays(display):
+    """As long as the number stands there, and no longer: Escape takes both away."""
+    with App(display, {**oscillator(controls=[STIFFNESS]), "run": {"duration": 600, "interval": 0.01}}) as app:
+        app.click("Play")
+        for text, why in (("abc", "a number is expected"), ("-3", "must be")):
+            app.retype(app.find("text", "Value of Coil: K"), text)
+            app.press("Return")
+            app.find_text(why)
+            before = app.time()
+            wait(lambda: app.time() > before + 1, "it to play on")
+            app.find_text(why)
+            app.press("Escape")
+            wait(lambda: app.look("label", app.pattern(why)) is None, "the message to go")
+        check(app.is_playing(), "it plays on")
+
+
 def test_moved_by_its_title(display):
     with App(display, oscillator(meters=[HEIGHT])) as app:
         app.show_width()
