@@ -5,6 +5,7 @@
 #include <tinker/typed-law.h>
 
 #include "units/expression-tree.h"
+#include "units/interval.h"
 
 typedef struct _TinkerCompiled TinkerCompiled;
 
@@ -28,6 +29,14 @@ typedef struct {
 /* The values at many places, which do not overlap what they are made of; bit for bit those of tinker_compiled_value.
  * FALSE: the program is too large for that, or there are fewer than eight places. */
 gboolean tinker_compiled_values(const TinkerCompiled *compiled, const TinkerColumns *columns, double *results);
+
+/* Encloses the values over a box of arguments, one interval each. TRUE: it is gentle there, so that a few places tell
+ * its course. FALSE: something switches, or runs through much of its course, or is nowhere a number. */
+gboolean tinker_compiled_enclose(const TinkerCompiled *compiled, const TinkerInterval *arguments,
+                                 TinkerInterval *result);
+
+/* Whether it is made of sums, products and roots alone: gentle over any box. */
+gboolean tinker_compiled_is_always_gentle(const TinkerCompiled *compiled);
 
 /* The numbers that a program names, and whether two differ in them alone. */
 const double *tinker_compiled_numbers(const TinkerCompiled *compiled, int *count);

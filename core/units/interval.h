@@ -1,7 +1,7 @@
 /* Intervals of doubles that enclose: whatever the operands hold, the result holds what the operation makes of it.
  * Bounds are widened outwards by at least the rounding error. An interval whose bounds are NaN is empty: the function
- * is defined nowhere over it. Private to this folder. Source: R. E. Moore, R. B. Kearfott, M. J. Cloud, Introduction to
- * Interval Analysis (SIAM, 2009). */
+ * is defined nowhere over it. Source: R. E. Moore, R. B. Kearfott, M. J. Cloud, Introduction to Interval Analysis
+ * (SIAM, 2009). */
 #ifndef TINKER_INTERVAL_H
 #define TINKER_INTERVAL_H
 

@@ -108,6 +108,12 @@
 #define TINKER_IDLE_END 1e-11
 /* No unit; of a length: so far beyond the end of its range a first step goes. */
 #define TINKER_IDLE_BEYOND 1e-3
+/* No unit; of the fastest: a typed law that a fixed step passes over is told where its impulse is above this. */
+#define TINKER_LAW_MISSED 1e-3
+/* m/s: what a typed law gives to what has never moved is nothing below this, as the tail of an exponential. */
+#define TINKER_LAW_NOTHING 1e-290
+/* No unit; of the time, or of a step: shorter ones are not divided for what a typed law does in them. */
+#define TINKER_LAW_LEAST 1e-11
 /* No unit; of the extent: ends so near to each other are at one place but for rounding. */
 #define TINKER_MET 1e-13
 /* No unit; of the extent: ends that are exactly at one place are parted by so much. */

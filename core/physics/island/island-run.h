@@ -19,6 +19,7 @@
 struct _TinkerContactRun;
 struct _TinkerDirectionWatch;
 struct _TinkerIdleLines;
+struct _TinkerLawWatch;
 
 typedef struct {
     const TinkerIsland *island;
@@ -51,6 +52,7 @@ typedef struct {
     struct _TinkerContactRun *contacts;       /* NULL where nothing can touch anything */
     struct _TinkerDirectionWatch *directions; /* NULL where no line has a force at length 0 */
     struct _TinkerIdleLines *idle;            /* NULL where no line is without force over a range of lengths */
+    struct _TinkerLawWatch *laws;             /* NULL where no typed law may be large in a narrow band alone */
     TinkerStabilityWatch *stability;
     gint64 looked_at;   /* steps at the last look into the books */
     int singular_steps; /* in a row */

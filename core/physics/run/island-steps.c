@@ -12,6 +12,7 @@
 #include "physics/constraint/constraints.h"
 #include "physics/event/direction-watch.h"
 #include "physics/event/idle-lines.h"
+#include "physics/event/law-watch.h"
 #include "physics/impulse/impulse.h"
 #include "physics/island/island-run.h"
 #include "physics/island/stability-watch.h"
@@ -67,6 +68,7 @@ static gboolean open_run(TinkerIslandRun *run, double horizon, GError **error)
     if (!tinker_island_run_strike(run, error)) return FALSE;
     run->directions = tinker_direction_watch_new(run);
     run->idle = tinker_idle_lines_new(run);
+    run->laws = tinker_law_watch_new(run);
     return check_directions(run, error);
 }
 
@@ -91,6 +93,7 @@ void tinker_island_run_free(TinkerIslandRun *run)
     tinker_contact_run_free(run->contacts);
     tinker_direction_watch_free(run->directions);
     tinker_idle_lines_free(run->idle);
+    tinker_law_watch_free(run->laws);
     tinker_island_run_clear(run);
     g_free(run);
 }
@@ -122,14 +125,20 @@ static gboolean pass_event(TinkerIslandRun *run, GError **error)
     return tinker_contact_run_pass(run->contacts, error) && check_directions(run, error);
 }
 
+static TinkerStatus make_step(TinkerIslandRun *run, double limit, TinkerStepReport *report)
+{
+    if (run->laws == NULL) return tinker_island_run_make_step(run, limit, report);
+    return tinker_law_watch_step(run->laws, limit, report);
+}
+
 /* One step of the method, that ends where contacts change. */
 static TinkerStatus step_to_contact(TinkerIslandRun *run, double limit, TinkerStepReport *report)
 {
-    if (run->contacts == NULL) return tinker_island_run_make_step(run, limit, report);
+    if (run->contacts == NULL) return make_step(run, limit, report);
     limit = tinker_contact_run_begin(run->contacts, limit);
     if (run->aside.method != NULL && !(run->choice.method->flags & TINKER_INTEGRATOR_LINEAR))
         tinker_island_run_name_method(run);
-    TinkerStatus status = tinker_island_run_make_step(run, limit, report);
+    TinkerStatus status = make_step(run, limit, report);
     return status == TINKER_OK ? tinker_contact_run_look(run->contacts, report) : status;
 }
 

@@ -5,6 +5,7 @@
 
 #include "physics/constraint/constraints.h"
 #include "physics/contact/contacts.h"
+#include "physics/event/law-watch.h"
 #include "physics/island/island-run.h"
 #include "physics/island/stability-watch.h"
 #include "physics/model/model-data.h"
@@ -187,6 +188,7 @@ gboolean tinker_island_run_close(TinkerIslandRun *run, double t, GError **error)
     if (!look(run, TRUE, error)) return FALSE;
     warn_of_imbalance(run);
     warn_of_unsolved(run);
+    if (run->laws != NULL) tinker_law_watch_tell(run->laws);
     return TRUE;
 }
 

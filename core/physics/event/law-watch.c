@@ -1,0 +1,281 @@
+/* Steps along typed laws; see the header. */
+#include "physics/event/law-watch.h"
+
+#include <glib/gi18n-lib.h>
+#include <math.h>
+#include <string.h>
+
+#include "physics/event/tolerances.h"
+#include "physics/force/law-paths.h"
+#include "physics/model/model-data.h"
+#include "physics/system/method-call.h"
+#include "physics/system/system.h"
+
+/* That a step is looked at in, and is to be gentle in. */
+#define PARTS 8
+/* Fixed steps that are looked at together, where the law is gentle over all of them. */
+#define GROUP 8
+/* Parts of one step in which what may have been missed is searched. */
+#define MOST_LOOKS 2000
+
+struct _TinkerLawWatch {
+    TinkerIslandRun *run;
+    TinkerModel *model;
+    GArray *forces;          /* of TinkerLawForce */
+    TinkerPoint *points;     /* those of each end of the steps of a group, and of one more place; of an adaptive method
+                                where the step began, and where it ended */
+    double times[GROUP + 1]; /* s: of those ends */
+    int steps;               /* in the group */
+    double *room;            /* what the next ones lie in */
+    double *q, *v, *book;    /* of the state where the step began */
+    double work, error;      /* likewise, of projections */
+    double most;             /* s: the next step goes no farther; INFINITY */
+};
+
+TinkerLawWatch *tinker_law_watch_new(TinkerIslandRun *run)
+{
+    const gsize n = (gsize)run->model->coordinates, points = (gsize)run->model->points;
+    GArray *forces = tinker_law_forces(run->model);
+    if (forces->len == 0) {
+        g_array_unref(forces);
+        return NULL;
+    }
+    TinkerLawWatch *self = g_new0(TinkerLawWatch, 1);
+    *self = (TinkerLawWatch){.run = run, .model = run->model, .forces = forces, .most = INFINITY};
+    self->points = g_new0(TinkerPoint, (GROUP + 2) * points);
+    self->room = g_new0(double, 2 * n + (gsize)run->system.system.books + 1);
+    self->q = self->room;
+    self->v = self->room + n;
+    self->book = self->room + 2 * n;
+    return self;
+}
+
+void tinker_law_watch_free(TinkerLawWatch *self)
+{
+    if (self == NULL) return;
+    g_array_unref(self->forces);
+    g_free(self->points);
+    g_free(self->room);
+    g_free(self);
+}
+
+/* Looking ---------------------------------------------------------------------------------------------------------- */
+
+/* All points where the state has them. */
+static TinkerStatus place(TinkerLawWatch *self, TinkerPoint *points)
+{
+    TinkerIslandRun *run = self->run;
+    tinker_island_run_place(run);
+    const TinkerStatus status = tinker_model_set_time(self->model, run->state.t);
+    if (status != TINKER_OK) return status;
+    tinker_model_set_state(self->model, run->q, run->v);
+    memcpy(points, self->model->point, (gsize)self->model->points * sizeof(TinkerPoint));
+    return TINKER_OK;
+}
+
+/* kg m/s: an impulse on a mass that is let pass. Nothing passes of what has never moved, down to the least numbers. */
+static double let_pass(const TinkerLawWatch *self, double mass, double share)
+{
+    TinkerIslandRun *run = self->run;
+    double extent, speed;
+    run->system.system.scales(run->system.system.context, run->state.q, run->state.v, &extent, &speed);
+    return mass * fmax(share * speed, TINKER_LAW_NOTHING);
+}
+
+/* The first part of the step in which a law is not gentle and matters: where it begins, of the first where it ends, as
+ * a share of the step; 1 where there is none. */
+static double first_rough(const TinkerLawWatch *self, const TinkerLawForce *law, const TinkerLawStep *step)
+{
+    TinkerInterval force;
+    if (tinker_law_enclose(law, step, 0, 1, &force)) return 1;
+    const double passes = let_pass(self, law->mass, self->run->choice.tolerance);
+    const double part = (step->to - step->from) / PARTS;
+    for (int i = 0; i < PARTS; i++)
+        if (!tinker_law_enclose(law, step, (double)i / PARTS, (double)(i + 1) / PARTS, &force) &&
+            !((force.high - force.low) * part <= passes))
+            return (double)MAX(i, 1) / PARTS;
+    return 1;
+}
+
+/* N: between the least and the largest force at the ends and in the middle of a part. */
+static double spread(const TinkerLawForce *law, const TinkerLawStep *step, double at, double width)
+{
+    double least = INFINITY, most = -INFINITY;
+    for (int i = 0; i <= 2; i++) {
+        const double force = tinker_law_force_at(law, step, at + 0.5 * i * width);
+        least = fmin(least, force);
+        most = fmax(most, force);
+    }
+    return most - least;
+}
+
+/* Looks for more than what was found to be missed so far: how much a law changes, as is seen at places, in a part of
+ * the step that it is not gentle in, or in a part of that. An enclosure alone is no proof. */
+static void find_missed(const TinkerLawWatch *self, TinkerLawForce *law, const TinkerLawStep *step)
+{
+    TinkerInterval force;
+    if (tinker_law_enclose(law, step, 0, 1, &force)) return;
+    const double h = step->to - step->from;
+    double width = 1.0 / PARTS, at = 0, most = fmax(law->missed.impulse, let_pass(self, law->mass, TINKER_LAW_MISSED));
+    for (int i = 0; i < MOST_LOOKS && at < 1; i++) {
+        const gboolean gentle = tinker_law_enclose(law, step, at, at + width, &force);
+        const gboolean matters = (force.high - force.low) * width * h > most && !(gentle && width * PARTS >= 1);
+        const double seen = matters ? spread(law, step, at, width) : 0;
+        if (seen * width * h > most) {
+            most = seen * width * h;
+            law->missed = (TinkerLawMissed){most, seen, step->from + at * h, h};
+        }
+        if (matters && !gentle && width > TINKER_LAW_LEAST) {
+            width *= 0.5;
+            continue;
+        }
+        at += width;
+        width = fmin(2 * width, 1.0 / PARTS);
+    }
+}
+
+static TinkerPoint *points_of(const TinkerLawWatch *self, int end)
+{
+    return self->points + (gsize)end * (gsize)self->model->points;
+}
+
+static TinkerLawStep step_of(const TinkerLawWatch *self, int from, int to)
+{
+    return (TinkerLawStep){self->times[from], self->times[to], points_of(self, from), points_of(self, to),
+                           self->model->origin};
+}
+
+/* Looks at the steps of a group, which is then over. */
+static void end_group(TinkerLawWatch *self)
+{
+    const TinkerLawStep all = step_of(self, 0, self->steps);
+    TinkerInterval force;
+    for (guint i = 0; i < self->forces->len && self->steps > 0; i++) {
+        TinkerLawForce *law = &g_array_index(self->forces, TinkerLawForce, i);
+        if (tinker_law_enclose(law, &all, 0, 1, &force)) continue;
+        for (int k = 0; k < self->steps; k++) {
+            const TinkerLawStep one = step_of(self, k, k + 1);
+            find_missed(self, law, &one);
+        }
+    }
+    self->steps = 0;
+}
+
+/* That of the block of which most was missed; NULL where that is of another law, or nothing beside the speed that there
+ * has been. */
+static const TinkerLawMissed *missed_of(const TinkerLawWatch *self, guint i)
+{
+    const TinkerLawForce *law = &g_array_index(self->forces, TinkerLawForce, i);
+    for (guint k = 0; k < self->forces->len; k++) {
+        const TinkerLawForce *other = &g_array_index(self->forces, TinkerLawForce, k);
+        if (other->block != law->block || k == i) continue;
+        if (other->missed.impulse > law->missed.impulse) return NULL;
+        if (other->missed.impulse == law->missed.impulse && k < i) return NULL;
+    }
+    const gboolean matters = law->missed.impulse > let_pass(self, law->mass, TINKER_LAW_MISSED);
+    return matters ? &law->missed : NULL;
+}
+
+void tinker_law_watch_tell(TinkerLawWatch *self)
+{
+    end_group(self);
+    for (guint i = 0; i < self->forces->len; i++) {
+        const TinkerLawMissed *missed = missed_of(self, i);
+        if (missed == NULL) continue;
+        const TinkerBlockId block = g_array_index(self->forces, TinkerLawForce, i).block;
+        g_ptr_array_add(self->run->summary.warnings,
+                        g_strdup_printf(_("%s: at about t = %.6g s its law changes by %.3g N within a small part of a "
+                                          "step of %.3g s, which %s does not resolve (take an adaptive method, such as "
+                                          "dopri5, or a much smaller step)"),
+                                        tinker_scene_block_name(self->model->scene, block), missed->at, missed->change,
+                                        missed->step, self->run->choice.method->id));
+    }
+}
+
+/* Steps ------------------------------------------------------------------------------------------------------------ */
+
+static TinkerStatus begin(TinkerLawWatch *self)
+{
+    const TinkerIslandRun *run = self->run;
+    const gsize bytes = (gsize)run->system.system.size * sizeof(double);
+    memcpy(self->q, run->state.q, bytes);
+    memcpy(self->v, run->state.v, bytes);
+    memcpy(self->book, run->state.books, (gsize)run->system.system.books * sizeof(double));
+    self->work = run->system.projection_work;
+    self->error = run->system.position_error;
+    return place(self, self->points);
+}
+
+static void go_back(TinkerLawWatch *self, double from)
+{
+    TinkerIslandRun *run = self->run;
+    const gsize bytes = (gsize)run->system.system.size * sizeof(double);
+    memcpy(run->state.q, self->q, bytes);
+    memcpy(run->state.v, self->v, bytes);
+    memcpy(run->state.books, self->book, (gsize)run->system.system.books * sizeof(double));
+    run->state.t = from;
+    run->system.projection_work = self->work;
+    run->system.position_error = self->error;
+    tinker_method_restart(run->choice.method, run->stepper);
+}
+
+/* The share of the step that is gentle; 1: all of it. */
+static double gentle_share(const TinkerLawWatch *self, const TinkerLawStep *step)
+{
+    double share = 1;
+    for (guint i = 0; i < self->forces->len && share > 1.0 / PARTS; i++)
+        share = fmin(share, first_rough(self, &g_array_index(self->forces, TinkerLawForce, i), step));
+    return share;
+}
+
+/* A step of a fixed length. What an event changed between two of them begins another group. */
+static TinkerStatus step_in_group(TinkerLawWatch *self, double limit, TinkerStepReport *report)
+{
+    TinkerIslandRun *run = self->run;
+    const gsize bytes = (gsize)self->model->points * sizeof(TinkerPoint);
+    TinkerPoint *now = points_of(self, GROUP + 1);
+    TinkerStatus status = place(self, now);
+    if (self->steps > 0 && memcmp(now, points_of(self, self->steps), bytes) != 0) end_group(self);
+    if (self->steps == 0) {
+        memcpy(points_of(self, 0), now, bytes);
+        self->times[0] = run->state.t;
+    }
+    if (status == TINKER_OK) status = tinker_island_run_make_step(run, limit, report);
+    if (status == TINKER_OK) status = place(self, points_of(self, self->steps + 1));
+    if (status != TINKER_OK) return status;
+    self->times[++self->steps] = run->state.t;
+    if (self->steps == GROUP) end_group(self);
+    return TINKER_OK;
+}
+
+/* A step that is made again as long as it is not gentle. */
+static TinkerStatus step_adaptively(TinkerLawWatch *self, double limit, TinkerStepReport *report)
+{
+    TinkerIslandRun *run = self->run;
+    const double from = run->state.t, least = TINKER_LAW_LEAST * fmax(from, limit - from);
+    TinkerStatus status = begin(self);
+    self->times[0] = from;
+    limit = fmin(limit, from + self->most);
+    for (int again = 0;; again++) {
+        if (status == TINKER_OK) status = tinker_island_run_make_step(run, limit, report);
+        if (status == TINKER_OK) status = place(self, points_of(self, 1));
+        if (status != TINKER_OK) return status;
+        report->rejected += again;
+        self->times[1] = run->state.t;
+        const TinkerLawStep step = step_of(self, 0, 1);
+        const double h = run->state.t - from, share = h <= least ? 1 : gentle_share(self, &step);
+        if (share >= 1) {
+            self->most = 2 * fmax(h, self->most);
+            return TINKER_OK;
+        }
+        go_back(self, from);
+        self->most = share * h;
+        limit = from + self->most;
+    }
+}
+
+TinkerStatus tinker_law_watch_step(TinkerLawWatch *self, double limit, TinkerStepReport *report)
+{
+    if (tinker_method_is_adaptive(self->run->choice.method)) return step_adaptively(self, limit, report);
+    return step_in_group(self, limit, report);
+}

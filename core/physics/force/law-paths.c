@@ -1,0 +1,219 @@
+/* Typed laws along a step; see the header. */
+#include "physics/force/law-paths.h"
+
+#include <math.h>
+#include <string.h>
+
+/* Listing ---------------------------------------------------------------------------------------------------------- */
+
+/* FALSE where a name says nothing here. */
+static gboolean name_arguments(TinkerLawForce *law, const TinkerPropertyType *type)
+{
+    static const char *const names[] = {"x", "y", "vx", "vy", "t", "m", "L", "rate"};
+    law->count = type->choice_count;
+    for (int32_t i = 0; i < type->choice_count; i++) {
+        gsize k = 0;
+        while (k < G_N_ELEMENTS(names) && strcmp(names[k], type->choices[i]) != 0)
+            k++;
+        if (k == G_N_ELEMENTS(names)) return FALSE;
+        law->arguments[i] = (TinkerLawArgument)k;
+    }
+    return type->choice_count <= TINKER_TYPED_MOST_ARGUMENTS;
+}
+
+static void add(GArray *list, TinkerLawForce law, const TinkerCompiled *force)
+{
+    law.force = force;
+    if (!tinker_compiled_is_always_gentle(force)) g_array_append_val(list, law);
+}
+
+/* A law that is an energy acts by its slopes along places. */
+static void add_law(GArray *list, TinkerLawForce law, const struct TinkerTypedLaw *typed,
+                    const TinkerPropertyType *type)
+{
+    const TinkerDimension energy = TINKER_DIMENSION_ENERGY;
+    if (typed == NULL || !name_arguments(&law, type)) return;
+    if (memcmp(&type->dimension, &energy, sizeof energy) != 0) {
+        add(list, law, typed->value);
+        return;
+    }
+    for (int i = 0; i < law.count; i++)
+        if (law.arguments[i] == TINKER_LAW_X || law.arguments[i] == TINKER_LAW_Y || law.arguments[i] == TINKER_LAW_L)
+            add(list, law, typed->slopes[i]);
+}
+
+static void add_row(GArray *list, TinkerLawForce law, const TinkerBlockBatch *batch, int32_t row)
+{
+    const TinkerBlockClass *of = batch->block_class;
+    struct TinkerTypedLaw **typed = batch->laws + (gsize)row * (gsize)batch->law_count;
+    law.block = batch->ids[row];
+    for (int32_t p = 0; p < of->property_count; p++)
+        if ((of->properties[p].flags & TINKER_TEXT_LAW) != 0) add_law(list, law, *typed++, &of->properties[p]);
+}
+
+static double mass_at(const TinkerModel *model, int32_t point)
+{
+    const int32_t body = tinker_model_body_of(model, point);
+    return body >= 0 ? model->mass[body] : INFINITY;
+}
+
+/* Blocks at the ends that they have: at one place, or between two. */
+static void add_ends(GArray *list, const TinkerModel *model, const TinkerAskedBatch *asked)
+{
+    const TinkerBlockBatch *batch = asked->batch;
+    for (int32_t row = 0; batch->law_count > 0 && row < batch->count; row++) {
+        const int32_t *points = asked->end_points + batch->end_offsets[row];
+        const int32_t ends = batch->end_offsets[row + 1] - batch->end_offsets[row];
+        TinkerLawForce law = {.a = points[0], .b = ends == 2 ? points[1] : -1};
+        law.mass = ends == 2 ? fmin(mass_at(model, law.a), mass_at(model, law.b)) : mass_at(model, law.a);
+        if (ends <= 2 && isfinite(law.mass)) add_row(list, law, batch, row);
+    }
+}
+
+static void add_field(GArray *list, const TinkerModel *model, const TinkerBlockBatch *batch)
+{
+    for (int32_t row = 0; batch->law_count > 0 && row < batch->count; row++)
+        for (int32_t body = 0; body < model->bodies; body++)
+            add_row(list, (TinkerLawForce){.a = body, .b = -1, .mass = model->mass[body]}, batch, row);
+}
+
+GArray *tinker_law_forces(const TinkerModel *model)
+{
+    GArray *list = g_array_new(FALSE, FALSE, sizeof(TinkerLawForce));
+    for (guint i = 0; i < model->asked_lines->len; i++)
+        add_ends(list, model, &g_array_index(model->asked_lines, TinkerAskedBatch, i));
+    for (guint i = 0; i < model->asked_forces->len; i++)
+        add_ends(list, model, &g_array_index(model->asked_forces, TinkerAskedBatch, i));
+    for (guint i = 0; i < model->asked_fields->len; i++)
+        add_field(list, model, g_array_index(model->asked_fields, TinkerAskedBatch, i).batch);
+    return list;
+}
+
+/* Ways ------------------------------------------------------------------------------------------------------------- */
+
+/* One coordinate at the two ends of a step of h. */
+typedef struct {
+    double h, x0, v0, x1, v1;
+} Way;
+
+/* Where it may be, and how fast, in a part of the step. */
+typedef struct {
+    TinkerInterval place, rate;
+} Reach;
+
+static double place_at(const Way *way, double s)
+{
+    const double by = way->x1 - way->x0, u0 = way->h * way->v0, u1 = way->h * way->v1;
+    return way->x0 + s * (u0 + s * (3 * by - 2 * u0 - u1 + s * (u0 + u1 - 2 * by)));
+}
+
+static double rate_at(const Way *way, double s)
+{
+    const double by = way->x1 - way->x0, u0 = way->h * way->v0, u1 = way->h * way->v1;
+    return (u0 + s * (2 * (3 * by - 2 * u0 - u1) + 3 * s * (u0 + u1 - 2 * by))) / way->h;
+}
+
+/* m: the motion bends by about this; where it swings by up to 2.8 rad in the step, the cubic is nearer than that to it:
+ * of a cosine, (omega h)^4 / 384 against (omega h)^2 / 48. */
+static double room_beside(const Way *way)
+{
+    const double by = way->x1 - way->x0;
+    return (fabs(by - way->h * (2 * way->v0 + way->v1) / 3) + fabs(by - way->h * (way->v0 + 2 * way->v1) / 3)) / 16;
+}
+
+static TinkerInterval around(const double *values, int count, double room)
+{
+    TinkerInterval all = {values[0], values[0]};
+    for (int i = 1; i < count; i++)
+        all = (TinkerInterval){fmin(all.low, values[i]), fmax(all.high, values[i])};
+    return (TinkerInterval){all.low - room, all.high + room};
+}
+
+/* A cubic lies within its control points. */
+static Reach reach_of(const Way *way, double low, double high)
+{
+    const double part = (high - low) * way->h, x0 = place_at(way, low), x1 = place_at(way, high);
+    const double v0 = rate_at(way, low), v1 = rate_at(way, high), room = room_beside(way);
+    const double places[] = {x0, x0 + part * v0 / 3, x1 - part * v1 / 3, x1};
+    const double rates[] = {v0, 3 * (x1 - x0) / part - v0 - v1, v1};
+    return (Reach){around(places, 4, room), around(rates, 3, 8 * room / way->h)};
+}
+
+static Way way_of(const TinkerLawForce *law, const TinkerLawStep *step, int axis)
+{
+    const TinkerPoint *p = &step->first[law->a], *q = &step->last[law->a];
+    const double h = step->to - step->from;
+    Way way = axis == 0 ? (Way){h, p->x, p->vx, q->x, q->vx} : (Way){h, p->y, p->vy, q->y, q->vy};
+    if (law->b < 0) {
+        way.x0 += step->origin[axis];
+        way.x1 += step->origin[axis];
+        return way;
+    }
+    const TinkerPoint *r = &step->first[law->b], *s = &step->last[law->b];
+    return axis == 0 ? (Way){h, r->x - way.x0, r->vx - way.v0, s->x - way.x1, s->vx - way.v1}
+                     : (Way){h, r->y - way.x0, r->vy - way.v0, s->y - way.x1, s->vy - way.v1};
+}
+
+/* Laws ------------------------------------------------------------------------------------------------------------- */
+
+static TinkerInterval length_of(const Reach reach[2])
+{
+    return tinker_interval_sqrt(
+        tinker_interval_add(tinker_interval_power(reach[0].place, 2), tinker_interval_power(reach[1].place, 2)));
+}
+
+static TinkerInterval lengthening_of(const Reach reach[2])
+{
+    const TinkerInterval product = tinker_interval_add(tinker_interval_multiply(reach[0].place, reach[0].rate),
+                                                       tinker_interval_multiply(reach[1].place, reach[1].rate));
+    return tinker_interval_divide(product, length_of(reach));
+}
+
+static TinkerInterval argument_of(const TinkerLawForce *law, TinkerLawArgument argument, const Reach reach[2],
+                                  TinkerInterval time)
+{
+    switch (argument) {
+    case TINKER_LAW_X:
+    case TINKER_LAW_Y:
+        return reach[argument - TINKER_LAW_X].place;
+    case TINKER_LAW_VX:
+    case TINKER_LAW_VY:
+        return reach[argument - TINKER_LAW_VX].rate;
+    case TINKER_LAW_T:
+        return time;
+    case TINKER_LAW_L:
+        return length_of(reach);
+    case TINKER_LAW_RATE:
+        return lengthening_of(reach);
+    default:
+        return tinker_interval_point(law->mass);
+    }
+}
+
+gboolean tinker_law_enclose(const TinkerLawForce *law, const TinkerLawStep *step, double low, double high,
+                            TinkerInterval *force)
+{
+    const double h = step->to - step->from;
+    const Way x = way_of(law, step, 0), y = way_of(law, step, 1);
+    const Reach reach[2] = {reach_of(&x, low, high), reach_of(&y, low, high)};
+    const TinkerInterval time = {step->from + low * h, step->from + high * h};
+    TinkerInterval arguments[TINKER_TYPED_MOST_ARGUMENTS];
+    for (int i = 0; i < law->count; i++)
+        arguments[i] = argument_of(law, law->arguments[i], reach, time);
+    return tinker_compiled_enclose(law->force, arguments, force);
+}
+
+double tinker_law_force_at(const TinkerLawForce *law, const TinkerLawStep *step, double at)
+{
+    const Way way[2] = {way_of(law, step, 0), way_of(law, step, 1)};
+    Reach reach[2];
+    double arguments[TINKER_TYPED_MOST_ARGUMENTS];
+    for (int k = 0; k < 2; k++)
+        reach[k] = (Reach){tinker_interval_point(place_at(&way[k], at)), tinker_interval_point(rate_at(&way[k], at))};
+    const TinkerInterval time = tinker_interval_point(step->from + at * (step->to - step->from));
+    for (int i = 0; i < law->count; i++) {
+        const TinkerInterval argument = argument_of(law, law->arguments[i], reach, time);
+        arguments[i] = 0.5 * (argument.low + argument.high);
+    }
+    return tinker_compiled_value(law->force, arguments);
+}
