@@ -27,6 +27,11 @@ static TinkerStatus rows_at(TinkerBatch *batch, const TinkerPoint *ends, double 
         double turned[3] = {0.0, 0.0, 0.0}, *angular = batch->angular + first;
         tinker_row_clear(jacobian + 2 * first, angular, count);
         for (int32_t k = 0; k < count && k < 3; k++) {
+            if (!batch->has_angle[first + k])
+                return tinker_fail(
+                    batch, i,
+                    "an end is on something that has no angle, as a mass has none (attach it to a disc, a bar, a box "
+                    "or a support)");
             turned[k] = batch->poses[first + k].angle - batch->placed_poses[first + k].angle;
         }
         g[i] = (turned[1] - turned[2]) + by * (turned[0] - turned[2]);

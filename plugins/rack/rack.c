@@ -14,6 +14,11 @@ static TinkerStatus rows_at(TinkerBatch *batch, const TinkerPoint *ends, double 
     for (int32_t i = 0; i < batch->count; i++) {
         const TinkerPoint *a = &ends[2 * i], *b = a + 1, *a0 = &batch->placed[2 * i], *b0 = a0 + 1;
         double u[2], *j = jacobian + 4 * i;
+        if (!batch->has_angle[2 * i])
+            return tinker_fail(batch, i,
+                               "its first end is on something that has no angle, as a mass has none (attach it to a "
+                               "disc, a bar, a box "
+                               "or a support)");
         tinker_direction(angle[i], u);
         g[i] = u[0] * ((b->x - a->x) - (b0->x - a0->x)) + u[1] * ((b->y - a->y) - (b0->y - a0->y)) -
                radius[i] * (batch->poses[2 * i].angle - batch->placed_poses[2 * i].angle);

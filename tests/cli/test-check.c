@@ -254,6 +254,51 @@ static void test_endless_switching(CliFixture *fixture, gconstpointer data)
     }
 }
 
+/* What prescribes a freedom that is prescribed already, otherwise, is refused before a run: two drives on one disc, two
+ * that a gear ties, a drive on what cannot turn, a rod between supports of which one moves away. Where both ask for the
+ * same nothing is wrong. */
+static void test_contradictions(CliFixture *fixture, gconstpointer data)
+{
+    static const char *const words[] = {"check @a.json", "plan @a.json"};
+    static const char *const cases[][2] = {
+        {"{\"type\": \"drive\", \"name\": \"A\", \"ends\": [\"S\", \"D\"], \"speed\": 1},\n"
+         "{\"type\": \"drive\", \"name\": \"B\", \"ends\": [\"S\", \"D\"], \"speed\": 2}",
+         ":4:1: A, B: no velocity satisfies"},
+        {"{\"type\": \"drive\", \"name\": \"A\", \"ends\": [\"S\", \"D\"]},\n"
+         "{\"type\": \"gear\", \"name\": \"G\", \"ends\": [\"D\", \"E\"]},"
+         "{\"type\": \"drive\", \"name\": \"B\", \"ends\": [\"S\", \"E\"], \"speed\": 0.5}",
+         "A, B, G: no velocity satisfies"},
+        {"{\"type\": \"drive\", \"name\": \"A\", \"ends\": [\"S\", \"M\"]}", "A: no velocity satisfies"},
+        {"{\"type\": \"support-motion\", \"ends\": [\"S\"], \"waveform\": {\"expression\": \"t\"}},"
+         "{\"type\": \"rod\", \"name\": \"R\", \"ends\": [\"S\", \"T\"]}",
+         "R: no velocity satisfies"},
+        {"{\"type\": \"gear\", \"name\": \"G\", \"ends\": [\"D\", \"M\"]}", "has no angle"},
+        {"{\"type\": \"rack\", \"name\": \"G\", \"ends\": [\"M\", \"D\"], \"radius\": 1}", "has no angle"},
+        {"{\"type\": \"drive\", \"name\": \"A\", \"ends\": [\"S\", \"D\"], \"speed\": 1},"
+         "{\"type\": \"drive\", \"name\": \"B\", \"ends\": [\"S\", \"D\"], \"speed\": 1}",
+         NULL},
+    };
+    for (gsize i = 0; i < G_N_ELEMENTS(cases) * G_N_ELEMENTS(words); i++) {
+        g_autofree char *text = g_strconcat(
+            "{\"tinker\": 1, \"blocks\": [{\"type\": \"support\", \"name\": \"S\", \"solid\": false},"
+            "{\"type\": \"support\", \"name\": \"T\", \"position\": [1, 0], \"solid\": false},\n"
+            "{\"type\": \"disc\", \"name\": \"D\"}, {\"type\": \"disc\", \"name\": \"E\", \"position\": [1, 0]},"
+            "{\"type\": \"mass\", \"name\": \"M\", \"position\": [0, 1]},\n"
+            "{\"type\": \"pin\", \"ends\": [\"S\", \"D\"]}, {\"type\": \"pin\", \"ends\": [\"T\", \"E\"]},\n",
+            cases[i / 2][0], "]}\n", NULL);
+        g_autofree char *path = cli_write(fixture, "a.json", text);
+        const char *what = cases[i / 2][1];
+        if (what == NULL) {
+            g_autoptr(TestProgram) good = cli_run_well(fixture, words[i % 2]);
+            continue;
+        }
+        g_autoptr(TestProgram) program =
+            cli_run_badly(fixture, words[i % 2], strcmp(what, "has no angle") == 0 ? 1 : 3);
+        g_autofree char *placed = what[0] == ':' ? g_strconcat(path, what, NULL) : g_strdup(what);
+        cli_assert_holds(program->error, placed);
+    }
+}
+
 int main(int argc, char **argv)
 {
     g_test_init(&argc, &argv, NULL);
@@ -269,5 +314,6 @@ int main(int argc, char **argv)
     cli_test_add("/check/first-system", test_first_system);
     cli_test_add("/check/places", test_places);
     cli_test_add("/check/endless-switching", test_endless_switching);
+    cli_test_add("/check/contradictions", test_contradictions);
     return g_test_run();
 }

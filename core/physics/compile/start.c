@@ -156,57 +156,93 @@ static gboolean run_error(TinkerModel *model, TinkerModelError code, GError **er
     return FALSE;
 }
 
-/* Names the rows that the accelerations a cannot meet. */
-static gboolean refuse_contradiction(TinkerModel *model, const double *a, GError **error)
-{
-    TinkerConstraints *all = &model->constraints;
-    memcpy(model->point_acceleration, a, (gsize)model->coordinates * sizeof(double));
-    tinker_constraints_rows_times(all, model->point_acceleration, all->residual);
-    double worst = 0;
-    for (int32_t row = 0; row < all->rows; row++) {
-        all->residual[row] = fabs(all->residual[row] + all->drift[row]);
-        worst = MAX(worst, all->residual[row]);
-    }
-    g_autoptr(GString) names = g_string_new(NULL);
-    TinkerBlockId last = TINKER_NO_BLOCK;
-    for (int32_t row = 0; row < all->rows; row++) {
-        if (all->residual[row] < 0.1 * worst || all->blocks[row] == last) continue;
-        last = all->blocks[row];
-        g_string_append_printf(names, "%s%s", names->len > 0 ? ", " : "", tinker_scene_block_name(model->scene, last));
-    }
-    g_set_error(
-        error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_CONTRADICTION,
-        _("%s: no motion satisfies these constraints at the start: they contradict each other (remove one, or give "
-          "what lies between them another place or velocity)"),
-        names->str);
-    return FALSE;
-}
-
-/* The largest sum of what a row's ends, by the applied forces alone, and its drift ask for: where they cancel each
- * other, rounding of it is all that is left. */
-static double largest_demand(const TinkerModel *model)
+/* The largest sum of what a row's ends by themselves, as `by_point` has them move, and its own term ask for: where they
+ * cancel each other, rounding of it is all that is left. */
+static double largest_demand(const TinkerModel *model, const double *by_point, const double *terms)
 {
     const TinkerConstraints *all = &model->constraints;
     double most = 0;
     for (int32_t k = 0; k < all->turn_count; k++)
-        most =
-            MAX(most, fabs(all->jacobian[2 * all->entries + k] * model->point_acceleration[all->turns[k].coordinate]));
+        most = MAX(most, fabs(all->jacobian[2 * all->entries + k] * by_point[all->turns[k].coordinate]));
     for (int32_t row = 0; row < all->rows; row++) {
-        double sum = fabs(all->drift[row]);
+        double sum = fabs(terms[row]);
         for (int32_t e = all->row_starts[row]; e < all->row_starts[row + 1]; e++) {
-            const double *a = model->point_acceleration + 2 * all->points[e];
-            sum += fabs(all->jacobian[2 * e] * a[0]) + fabs(all->jacobian[2 * e + 1] * a[1]);
+            const double *of = by_point + 2 * all->points[e];
+            sum += fabs(all->jacobian[2 * e] * of[0]) + fabs(all->jacobian[2 * e + 1] * of[1]);
         }
         most = MAX(most, sum);
     }
     return most;
 }
 
+/* The blocks of the rows that the residual is large of, joined by ", ". (transfer full) */
+static char *names_of_residual(const TinkerModel *model)
+{
+    const TinkerConstraints *all = &model->constraints;
+    double worst = 0;
+    for (int32_t row = 0; row < all->rows; row++)
+        worst = MAX(worst, fabs(all->residual[row]));
+    g_autoptr(GString) names = g_string_new(NULL);
+    TinkerBlockId last = TINKER_NO_BLOCK;
+    for (int32_t row = 0; row < all->rows; row++) {
+        if (fabs(all->residual[row]) < 0.1 * worst || all->blocks[row] == last) continue;
+        last = all->blocks[row];
+        g_string_append_printf(names, "%s%s", names->len > 0 ? ", " : "", tinker_scene_block_name(model->scene, last));
+    }
+    return g_string_free(g_steal_pointer(&names), FALSE);
+}
+
+/* Names the rows that the accelerations a cannot meet. */
+static gboolean refuse_contradiction(TinkerModel *model, const double *a, GError **error)
+{
+    TinkerConstraints *all = &model->constraints;
+    memcpy(model->point_acceleration, a, (gsize)model->coordinates * sizeof(double));
+    tinker_constraints_rows_times(all, model->point_acceleration, all->residual);
+    for (int32_t row = 0; row < all->rows; row++)
+        all->residual[row] += all->drift[row];
+    g_autofree char *names = names_of_residual(model);
+    g_set_error(
+        error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_CONTRADICTION,
+        _("%s: no motion satisfies these constraints at the start: they contradict each other (remove one, or give "
+          "what lies between them another place or velocity)"),
+        names);
+    return FALSE;
+}
+
+/* The start velocities meet what is prescribed, of drives and of supports that move, unless several prescribe the same
+ * freedom: then what they ask for has to be the same. */
+static gboolean check_velocities(TinkerModel *model, const double *given, GError **error)
+{
+    const TinkerConstraints *all = &model->constraints;
+    double missed = 0, asked, *velocity = all->by_point;
+    if (!all->prescribed && model->moving_supports == 0) return TRUE;
+    tinker_model_set_state(model, model->q_start, model->v_start);
+    for (int32_t i = model->first_attachment; i < model->points; i++) {
+        velocity[2 * i] = model->point[i].vx;
+        velocity[2 * i + 1] = model->point[i].vy;
+    }
+    tinker_constraints_rates(model, all->residual);
+    for (int32_t row = 0; row < all->rows; row++)
+        missed = MAX(missed, fabs(all->residual[row]));
+    memcpy(velocity, given, (gsize)model->coordinates * sizeof(double));
+    asked = largest_demand(model, velocity, all->rate);
+    memcpy(velocity, model->v_start, (gsize)model->coordinates * sizeof(double));
+    asked = MAX(asked, largest_demand(model, velocity, all->rate));
+    if (missed <= TINKER_START_MISS * asked) return TRUE;
+    g_autofree char *names = names_of_residual(model);
+    g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_CONTRADICTION,
+                _("%s: no velocity satisfies these constraints at the start: what is prescribed there contradicts "
+                  "another constraint (remove one, or let both ask for the same)"),
+                names);
+    return FALSE;
+}
+
 /* What accelerations that are found for the applied ones miss of the rows, as a share of what is asked of them. */
 static double missed_share(TinkerModel *model, const double *applied, double *a)
 {
     memcpy(a, applied, (gsize)model->coordinates * sizeof(double));
-    const double missing = tinker_constraints_accelerate(model, a), asked = largest_demand(model);
+    const double missing = tinker_constraints_accelerate(model, a),
+                 asked = largest_demand(model, model->point_acceleration, model->constraints.drift);
     return missing > 0 ? missing / asked : 0;
 }
 
@@ -274,5 +310,5 @@ gboolean tinker_model_check_start(TinkerModel *model, GError **error)
     g_autofree double *given = g_memdup2(model->v_start, (gsize)MAX(model->coordinates, 1) * sizeof(double));
     tinker_constraints_correct_velocities(model, model->v_start, FALSE, &moved);
     if (moved) warn_start_velocity(model, given);
-    return check_accelerations(model, error);
+    return check_velocities(model, given, error) && check_accelerations(model, error);
 }

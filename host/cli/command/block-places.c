@@ -3,10 +3,12 @@
 
 #include <string.h>
 
-/* Whether a message is about the block of this name. */
+/* Whether a message is about the block of this name, or about several, "NAME, OTHER: ", of which this is the first. */
 static gboolean is_about(const char *message, const char *name)
 {
-    return g_str_has_prefix(message, name) && g_str_has_prefix(message + strlen(name), ": ");
+    if (!g_str_has_prefix(message, name)) return FALSE;
+    const char *rest = message + strlen(name);
+    return g_str_has_prefix(rest, ": ") || (g_str_has_prefix(rest, ", ") && strstr(rest, ": ") != NULL);
 }
 
 /* The place in the drawing order of the block that a message is about; -1: of none. Of the names that fit, as "A" and
