@@ -164,6 +164,34 @@ static void test_growth(void)
 }
 
 /* One step of rk4 is the Taylor polynomial of degree 4 of the oscillator's matrix. */
+/* A double pendulum without weight, of masses alike, that turns evenly, its second rod of length l folded back along
+ * the first one of 1 m: with e the angle off that, the equations of both angles give e'' = W^2 ((2 - l) / l - (1 - l))
+ * e. Stretched out it stays so; and so does a linkage of one freedom. */
+static void test_growth_in_motion(void)
+{
+    static const double lengths[] = {0.3, 0.5, 0.8, 1.3}, rates[] = {0.01, 3, 200};
+    for (gsize i = 0; i < G_N_ELEMENTS(lengths) * G_N_ELEMENTS(rates); i++)
+        for (int side = -1; side <= 1; side += 2) {
+            const double l = lengths[i % G_N_ELEMENTS(lengths)], rate = rates[i / G_N_ELEMENTS(lengths)];
+            g_autofree char *text = g_strdup_printf(
+                "{'type': 'support', 'solid': false}, {'type': 'mass', 'position': [1, 0], 'velocity': [0, %.17g]},"
+                "{'type': 'mass', 'position': [%.17g, 0], 'velocity': [0, %.17g]},"
+                "{'type': 'rod', 'ends': ['Support 0', 'Mass 0']}, {'type': 'rod', 'ends': ['Mass 0', 'Mass 1']}",
+                rate, 1 + side * l, rate * (1 + side * l));
+            g_auto(SpectrumCase) compiled = spectrum_case(text);
+            g_autoptr(TinkerSpectrum) spectrum = tinker_spectrum_new(spectrum_case_island(&compiled));
+            const double growth = side > 0 ? 0 : sqrt((2 - l) / l - (1 - l));
+            physics_assert_near("growth", spectrum->growth_max / rate, growth, 1e-6);
+        }
+    g_auto(SpectrumCase) linkage =
+        spectrum_case("{'type': 'support', 'solid': false}, {'type': 'support', 'solid': false, 'position': [4, 0]},"
+                      "{'type': 'mass', 'position': [0, 1], 'velocity': [3, 0]}, {'type': 'mass', 'position': [4, 3]},"
+                      "{'type': 'rod', 'ends': ['Support 0', 'Mass 0']}, {'type': 'rod', 'ends': ['Mass 0', 'Mass 1']},"
+                      "{'type': 'rod', 'ends': ['Support 1', 'Mass 1']}");
+    g_autoptr(TinkerSpectrum) spectrum = tinker_spectrum_new(spectrum_case_island(&linkage));
+    g_assert_cmpfloat(spectrum->growth_max, ==, 0);
+}
+
 static void test_amplification(void)
 {
     double k = 7, c = 0.9, h = 0.31, map[4];
@@ -201,6 +229,7 @@ static void add_tests(void)
     g_test_add_func("/physics/spectrum/pendulums", test_pendulums);
     g_test_add_func("/physics/spectrum/magnet", test_magnet);
     g_test_add_func("/physics/spectrum/growth", test_growth);
+    g_test_add_func("/physics/spectrum/growth-in-motion", test_growth_in_motion);
     g_test_add_func("/physics/spectrum/amplification", test_amplification);
     g_test_add_func("/physics/spectrum/step-error", test_step_error);
 }

@@ -138,12 +138,13 @@ static gboolean add_common_shapes(TinkerSpectrum *spectrum, const Dense *dense)
     return TRUE;
 }
 
-/* z' = [0 s; -K/s -C] z with z = (s u, u'), s about the largest frequency, so that all entries are rates. */
-static gboolean add_state_matrix(TinkerSpectrum *spectrum, const Dense *dense)
+/* The 2 m roots of z' = [0 s; -K/s -C] z with z = (s u, u'), s about the largest frequency, so that all entries are
+ * rates. */
+static gboolean find_roots(const Dense *dense, double *re, double *im)
 {
     gsize m = dense->m, order = 2 * m;
     double s = fmax(sqrt(dense->greatest[0]), dense->greatest[1]);
-    g_autofree double *state = g_new0(double, order *order), *re = g_new0(double, order), *im = g_new0(double, order);
+    g_autofree double *state = g_new0(double, order *order);
     for (gsize j = 0; j < m; j++) {
         state[(m + j) * order + j] = s;
         for (gsize i = 0; i < m; i++) {
@@ -151,7 +152,14 @@ static gboolean add_state_matrix(TinkerSpectrum *spectrum, const Dense *dense)
             state[(m + j) * order + m + i] = -dense->damping[j * m + i];
         }
     }
-    if (!tinker_eigen_general((int32_t)order, state, re, im, NULL)) return FALSE;
+    return tinker_eigen_general((int32_t)order, state, re, im, NULL);
+}
+
+static gboolean add_state_matrix(TinkerSpectrum *spectrum, const Dense *dense)
+{
+    gsize order = 2 * dense->m;
+    g_autofree double *re = g_new0(double, order), *im = g_new0(double, order);
+    if (!find_roots(dense, re, im)) return FALSE;
     for (gsize i = 0; i < order; i++)
         if (im[i] >= 0) spectrum_add_eigenvalue(spectrum, re[i], im[i]);
     return TRUE;
@@ -217,4 +225,18 @@ gboolean spectrum_fill_dense(TinkerSpectrum *spectrum, TinkerStartMatrices *matr
     if (!add_state_matrix(spectrum, &dense)) return FALSE;
     if (spectrum->turned && !(damping > TINKER_SYMMETRIC * dense.greatest[1])) spectrum->damping_max = 0; /* rounding */
     return add_mixtures(spectrum, &dense, stiffness, damping) && keep_coupled(spectrum, &dense);
+}
+
+void spectrum_find_growth_in_motion(TinkerStartMatrices *matrices, double *growth)
+{
+    g_auto(Dense) dense = {0};
+    if (!tinker_start_matrices_moves(matrices) || !dense_open(&dense, matrices) || dense.m == 0) return;
+    gsize order = 2 * dense.m;
+    g_autofree double *re = g_new0(double, order), *im = g_new0(double, order);
+    double greatest = over_basis(&dense, tinker_start_matrices_moving_stiffness, dense.stiffness), most = 0;
+    dense.greatest[0] = fmax(dense.greatest[0], greatest);
+    if (dense.m > MOST_STATES || !isfinite(greatest) || !find_roots(&dense, re, im)) return;
+    for (gsize i = 0; i < order; i++)
+        most = fmax(most, re[i]);
+    *growth = most < TINKER_LEAST_GROWTH_IN_MOTION * sqrt(dense.greatest[0]) ? 0 : most;
 }

@@ -58,6 +58,7 @@ TinkerSpectrum *tinker_spectrum_new(const TinkerIsland *island)
     spectrum->coupled.growth = spectrum->growth_max;
     /* what falls over without losses comes back at the same rate */
     if (!tinker_start_matrices_damped(matrices)) spectrum->damping_max = 0;
+    if (small) spectrum_find_growth_in_motion(matrices, &spectrum->growth_max);
     return spectrum;
 }
 

@@ -147,3 +147,58 @@ void tinker_start_geometry(TinkerModel *model, const double *lambda, GArray *fou
     add_batches(model, lambda, found);
     add_turned_arms(model, lambda, found);
 }
+
+/* s: in which nothing moves farther than differences go. */
+static double short_time(const TinkerModel *model)
+{
+    double fastest = 0, least = INFINITY;
+    for (int32_t i = 0; i < model->coordinates; i++)
+        fastest = fmax(fastest, fabs(model->v_start[i]));
+    for (int32_t i = model->first_support; i < model->points; i++)
+        fastest = fmax(fastest, hypot(model->point[i].vx, model->point[i].vy));
+    for (int32_t row = 0; row < model->constraints.rows; row++)
+        least = fmin(least, model->constraints.scales[row]);
+    return fastest > 0 ? DIFFERENCE * least / fastest : 0;
+}
+
+static TinkerStatus evaluate_at(TinkerModel *model, double t)
+{
+    g_autofree double *q = g_memdup2(model->q_start, (gsize)MAX(model->coordinates, 1) * sizeof(double));
+    for (int32_t i = 0; i < model->coordinates; i++)
+        q[i] += t * model->v_start[i];
+    const TinkerStatus status = tinker_model_set_time(model, t);
+    if (status != TINKER_OK) return status;
+    tinker_model_set_state(model, q, model->v_start);
+    return tinker_constraints_evaluate(model);
+}
+
+/* Adds `factor` times the Jacobian at t along the start's motion. */
+static TinkerStatus add_jacobian(TinkerModel *model, double t, double factor, double *sum)
+{
+    const TinkerStatus status = evaluate_at(model, t);
+    for (gsize i = 0; i < model->constraints.jacobian_size; i++)
+        sum[i] += factor * model->constraints.jacobian[i];
+    return status;
+}
+
+TinkerStatus tinker_start_turning(TinkerModel *model, GArray *found)
+{
+    const double factors[] = {-1.5, 2, -0.5}; /* of the second order, and never before the start */
+    const double h = short_time(model);
+    if (!(h > 0)) return TINKER_OK;
+    TinkerConstraints turning = model->constraints;
+    g_autofree double *change = g_new0(double, turning.jacobian_size);
+    g_autofree TinkerCoordinateEntry *entries = tinker_constraints_row_room(&turning);
+    TinkerStatus status = TINKER_OK;
+    for (int k = 2; k >= 0 && status == TINKER_OK; k--)
+        status = add_jacobian(model, k * h, factors[k] / h, change);
+    turning.jacobian = change;
+    for (int32_t row = 0; status == TINKER_OK && row < turning.rows; row++) {
+        const int32_t count = tinker_constraints_list_row(&turning, row, entries);
+        for (int32_t k = 0; k < count; k++) {
+            const TinkerTurningEntry entry = {row, entries[k].coordinate, entries[k].value};
+            if (entry.rate != 0 && entry.coordinate < model->coordinates) g_array_append_val(found, entry);
+        }
+    }
+    return status;
+}

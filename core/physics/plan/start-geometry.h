@@ -16,4 +16,18 @@ typedef struct {
  * add up. */
 void tinker_start_geometry(TinkerModel *model, const double *lambda, GArray *found);
 
+/* An entry of dJ/dt, how the constraints' Jacobian J turns as the start moves on. */
+typedef struct {
+    int32_t row, coordinate;
+    double rate; /* 1/s times that of J */
+} TinkerTurningEntry;
+
+/* Of the constraints at the start, by a difference along its velocities; nothing of what is at rest. Element:
+ * TinkerTurningEntry. Leaves the constraints evaluated at the start. What constraints leave of the motion turns with
+ * them: beside a motion of velocity v, one that is off by x has an acceleration across the constraints of
+ * -M^-1 J^T S^-1 (dJ/dt) x at its rate, whose square is missing in what the tensions make. So the stiffness is less by
+ * (dJ/dt)^T S^-1 dJ/dt (the curvature of what constraints leave, by Gauss's equation). What damping adds, as it turns,
+ * is left out. */
+TinkerStatus tinker_start_turning(TinkerModel *model, GArray *found);
+
 #endif

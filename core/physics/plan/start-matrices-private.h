@@ -18,6 +18,8 @@ struct _TinkerStartMatrices {
     TinkerJacobian *jacobian;
     double *stiffness, *damping; /* of the Jacobian's pattern */
     GArray *geometry;            /* of TinkerStiffnessEntry */
+    GArray *turning;             /* of TinkerTurningEntry */
+    double *tensions;            /* of the constraints, one a row: of the free products. NULL where there are none */
     double *acceleration, *velocity;
     double *input, *output; /* of the free products */
     double *projected;      /* of the others */

@@ -29,7 +29,8 @@ static gboolean find_acceleration(TinkerStartMatrices *self, double *a)
     if (self->linear != NULL) return TRUE;
     g_autofree double *lambda = g_memdup2(model->constraints.lambda, (gsize)model->constraints.rows * sizeof(double));
     tinker_start_geometry(model, lambda, self->geometry);
-    return TRUE;
+    self->tensions = g_new0(double, (gsize)model->constraints.rows);
+    return tinker_start_turning(model, self->turning) == TINKER_OK;
 }
 
 static gboolean evaluate_jacobian(TinkerStartMatrices *self)
@@ -114,6 +115,7 @@ TinkerStartMatrices *tinker_start_matrices_new(const TinkerIsland *island)
     gsize n = (gsize)MAX(self->n, 1);
     self->inverse_root = g_new0(double, 6 * n);
     self->geometry = g_array_new(FALSE, FALSE, sizeof(TinkerStiffnessEntry));
+    self->turning = g_array_new(FALSE, FALSE, sizeof(TinkerTurningEntry));
     self->acceleration = self->inverse_root + n;
     self->velocity = self->acceleration + n;
     self->input = self->velocity + n;
@@ -134,6 +136,8 @@ void tinker_start_matrices_free(TinkerStartMatrices *self)
     if (self == NULL) return;
     tinker_jacobian_free(self->jacobian);
     g_array_unref(self->geometry);
+    g_array_unref(self->turning);
+    g_free(self->tensions);
     g_free(self->inverse_root);
     g_free(self->stiffness);
     g_free(self->damping);

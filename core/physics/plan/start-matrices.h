@@ -33,6 +33,10 @@ void tinker_start_matrices_turning(void *matrices, const double *x, double *y);
  * of vectors, or -1): for dense matrices. */
 void tinker_start_matrices_free_stiffness(void *matrices, const double *x, double *y);
 void tinker_start_matrices_free_damping(void *matrices, const double *x, double *y);
+/* The first, less what the motion at the start takes off (start-geometry.h): what grows beside that motion does so by
+ * it. `moves`: they differ. */
+void tinker_start_matrices_moving_stiffness(void *matrices, const double *x, double *y);
+gboolean tinker_start_matrices_moves(const TinkerStartMatrices *matrices);
 int32_t tinker_start_matrices_tangents(TinkerStartMatrices *matrices, double *basis);
 
 /* M^1/2 a and M^1/2 v of the start. Borrowed. */

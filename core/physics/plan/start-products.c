@@ -41,6 +41,22 @@ static void model_product(TinkerModel *model, gboolean damping, const double *d,
         f[i] = status == TINKER_OK ? -f[i] * model->coordinate_mass[i] : NAN;
 }
 
+/* Takes (dJ/dt)^T S^-1 (dJ/dt) x off, with x as the input. */
+static void turn(TinkerStartMatrices *self)
+{
+    const GArray *all = self->turning;
+    memset(self->tensions, 0, (gsize)self->model->constraints.rows * sizeof(double));
+    for (guint k = 0; k < all->len; k++) {
+        const TinkerTurningEntry *entry = &g_array_index(all, TinkerTurningEntry, k);
+        self->tensions[entry->row] += entry->rate * self->input[entry->coordinate];
+    }
+    tinker_constraints_solve(self->model, self->tensions);
+    for (guint k = 0; k < all->len; k++) {
+        const TinkerTurningEntry *entry = &g_array_index(all, TinkerTurningEntry, k);
+        self->output[entry->coordinate] -= entry->rate * self->tensions[entry->row];
+    }
+}
+
 static void free_product(TinkerStartMatrices *self, gboolean damping, const double *x, double *y)
 {
     for (int32_t i = 0; i < self->n; i++)
@@ -58,6 +74,21 @@ static void free_product(TinkerStartMatrices *self, gboolean damping, const doub
     }
     for (int32_t i = 0; i < self->n; i++)
         y[i] = self->output[i] * self->inverse_root[i];
+}
+
+void tinker_start_matrices_moving_stiffness(void *matrices, const double *x, double *y)
+{
+    TinkerStartMatrices *self = matrices;
+    free_product(self, FALSE, x, y);
+    memset(self->output, 0, (gsize)self->n * sizeof(double));
+    turn(self);
+    for (int32_t i = 0; i < self->n; i++)
+        y[i] += self->output[i] * self->inverse_root[i];
+}
+
+gboolean tinker_start_matrices_moves(const TinkerStartMatrices *self)
+{
+    return self->turning->len > 0;
 }
 
 /* P x = M^1/2 (projection of velocities) M^-1/2 x. */

@@ -13,6 +13,9 @@
 #define TINKER_LEAST_SWING 1e-6
 /* No unit; of the fastest rate: slower growth is rounding, of bodies that nothing holds. */
 #define TINKER_LEAST_GROWTH 1e-6
+/* No unit; of the frequency of the largest stiffness: slower growth of what is in motion is the rounding of
+ * differences, which the root of a stiffness enlarges. */
+#define TINKER_LEAST_GROWTH_IN_MOTION 1e-3
 /* No unit; of a row's length: less left of a row is that of one which depends on others. Its square is TINKER_DEPENDENT
  * of numerics/solve/rank.h, which the solvers go by. */
 #define TINKER_DEPENDENT_LENGTH 1e-5
