@@ -17,8 +17,7 @@ static TinkerStatus rows_at(TinkerBatch *batch, const TinkerPoint *ends, double 
         if (!batch->has_angle[2 * i])
             return tinker_fail(batch, i,
                                "its first end is on something that has no angle, as a mass has none (attach it to a "
-                               "disc, a bar, a box "
-                               "or a support)");
+                               "disc, a bar, a box or a support)");
         tinker_direction(angle[i], u);
         g[i] = u[0] * ((b->x - a->x) - (b0->x - a0->x)) + u[1] * ((b->y - a->y) - (b0->y - a0->y)) -
                radius[i] * (batch->poses[2 * i].angle - batch->placed_poses[2 * i].angle);
