@@ -75,8 +75,8 @@ static void show_text(TinkerInstrumentView *view, double si)
     tell(view, text);
 }
 
-/* How many runs a second there is time for, where these are so few that one sees it; or why there is none. What is wrong
- * with a number that was typed stays as long as that number does. */
+/* How many runs a second there is time for, where these are so few that one sees it; or why there is none. What is
+ * wrong with a number that was typed stays as long as that number does. */
 static void show_rate(TinkerInstrumentView *view)
 {
     if (gtk_widget_has_css_class(view->value, "error")) return;
