@@ -48,6 +48,8 @@ static TinkerExpression *named(const Writer *writer, const char *stem, const cha
                                              .is = is,
                                              .value = tinker_equations_value(equations, is)};
     g_ptr_array_add(lengths, definition);
+    tinker_equations_set_value(equations, name, definition->value);
+    tinker_equations_set_rounding(equations, name, tinker_equations_rounding(equations, is));
     return tinker_expression_symbol(name);
 }
 
@@ -66,22 +68,35 @@ static TinkerAngleArm joint_to_joint(const Writer *writer, TinkerExpression *p, 
                             named(writer, "b", "from joint to joint, across the way to its centre of mass", q)};
 }
 
-/* e points from the joint at a to the centre; v is the way to the next joint, in the axes of the body, NULL: none. */
+/* Minus the expression where `minus`, else itself. (transfer full) */
+static TinkerExpression *with_sign(const TinkerExpression *expression, gboolean minus)
+{
+    return minus ? tinker_expression_negated(copy(expression)) : copy(expression);
+}
+
+/* e and n are axes of the body: e is minus `axis` where `back`, n is e turned by a right angle. */
+static TinkerAngleArm arm_along_axis(const Writer *writer, TinkerExpression *const a[2], TinkerExpression *const *v,
+                                     int axis, gboolean back)
+{
+    if (v == NULL)
+        return (TinkerAngleArm){named(writer, "a", "from its joint to its centre of mass", with_sign(a[axis], !back)),
+                                tinker_expression_number(0)};
+    return joint_to_joint(writer, with_sign(v[axis], back), with_sign(v[1 - axis], back == (axis == 0)));
+}
+
+/* e points from the joint at a to the centre, to -y where they coincide; v is the way to the next joint, in the axes of
+ * the body, NULL: none. */
 static TinkerAngleArm arm_of_body(const Writer *writer, TinkerExpression *const a[2], TinkerExpression *const *v)
 {
-    const gboolean level = is_zero(writer, a[1]), centred = level && is_zero(writer, a[0]);
-    if (centred && v == NULL) return (TinkerAngleArm){tinker_expression_number(0), tinker_expression_number(0)};
-    if (centred) return joint_to_joint(writer, tinker_expression_negated(copy(v[1])), copy(v[0]));
-    const gboolean back = level && tinker_equations_value(writer->equations, a[0]) > 0;
-    if (level && v != NULL)
-        return joint_to_joint(writer, back ? tinker_expression_negated(copy(v[0])) : copy(v[0]),
-                              back ? tinker_expression_negated(copy(v[1])) : copy(v[1]));
-    TinkerExpression *distance =
-        level ? copy(a[0])
-              : tinker_expression_call("sqrt", tinker_expression_plus(tinker_expression_squared(copy(a[0])),
-                                                                      tinker_expression_squared(copy(a[1]))));
-    if (level && !back) distance = tinker_expression_negated(distance);
-    g_autoptr(TinkerExpression) d = named(writer, "a", "from its joint to its centre of mass", distance);
+    const gboolean level = is_zero(writer, a[1]), upright = is_zero(writer, a[0]);
+    if (level && upright && v == NULL)
+        return (TinkerAngleArm){tinker_expression_number(0), tinker_expression_number(0)};
+    if (upright) return arm_along_axis(writer, a, v, 1, level || tinker_equations_value(writer->equations, a[1]) > 0);
+    if (level) return arm_along_axis(writer, a, v, 0, tinker_equations_value(writer->equations, a[0]) > 0);
+    g_autoptr(TinkerExpression) d =
+        named(writer, "a", "from its joint to its centre of mass",
+              tinker_expression_call("sqrt", tinker_expression_plus(tinker_expression_squared(copy(a[0])),
+                                                                    tinker_expression_squared(copy(a[1])))));
     if (v == NULL) return (TinkerAngleArm){copy(d), tinker_expression_number(0)};
     return joint_to_joint(writer,
                           along(v, tinker_expression_negated(copy(a[0])), tinker_expression_negated(copy(a[1])), d),

@@ -32,7 +32,7 @@ static void value_of_body(const TinkerEquations *equations, TinkerRodAngle *angl
     g_autoptr(TinkerExpression) turned = tinker_expression_symbol(own), turning = tinker_expression_symbol(rate);
     double joint[2];
     for (int axis = 0; axis < 2; axis++)
-        joint[axis] = tinker_equations_value(equations, angle->line->local[1 - angle->near][axis]);
+        joint[axis] = tinker_equations_shown_value(equations, angle->line->local[1 - angle->near][axis]);
     const gboolean centred = joint[0] == 0 && joint[1] == 0;
     const double from_own = centred ? 0 : remainder(atan2(-joint[1], -joint[0]) + G_PI_2, 2 * G_PI);
     angle->value = tinker_equations_value(equations, turned) + from_own;

@@ -40,7 +40,7 @@ static const char *name_of(TinkerEquationWriter *writer, const TinkerTopContact 
                            const char *component)
 {
     if (contact->index == NULL) return tinker_writer_name(writer, contact->support, stem, 0, component);
-    return tinker_writer_indexed_name(writer, contact->support, stem, contact->index, 0, component);
+    return tinker_equations_free_name(writer->equations, contact->support, stem, contact->index, 0, component);
 }
 
 /* The arm to a place of the body that turns with it. */

@@ -1,7 +1,7 @@
 /* Names looked up: what they stand for, how they look, what their values are. */
 #include <string.h>
 
-#include "equations/equations.h"
+#include "equations/writer-private.h"
 #include "law/value.h"
 
 const TinkerEquationDefinition *tinker_equations_definition(const TinkerEquations *equations, const char *name)
@@ -38,6 +38,13 @@ void tinker_equations_look(const char *symbol, TinkerSymbolLook *look, void *dat
     const TinkerEquationLook *known = g_hash_table_lookup(equations->looks, symbol);
     *look = known != NULL ? (TinkerSymbolLook){known->stem, known->index, known->dots, known->component}
                           : (TinkerSymbolLook){symbol, "", 0, NULL};
+}
+
+void tinker_equations_set_value(TinkerEquations *equations, const char *name, double value)
+{
+    double *kept = g_new(double, 1);
+    *kept = value;
+    g_hash_table_insert(equations->values, g_strdup(name), kept);
 }
 
 static double value_of(const char *symbol, void *data)

@@ -66,7 +66,8 @@ static void count_stems(TinkerEquationWriter *writer, TinkerBlockId block, const
     static const char *const of_bodies[] = {"m", "I", "x", "y", "θ", "h", "R", NULL};
     static const char *const of_supports[] = {"X",  "Y",  "φ",  "X0", "Y0", "φ0", "H",  "N", "f",
                                               "µs", "µd", "s0", "σ",  "r",  "ax", "ay", "M", NULL};
-    static const char *const of_unwritten[] = {"F", "τ", NULL}; /* what acts without a law */
+    /* of what acts without a law, and of what moves so */
+    static const char *const of_unwritten[] = {"F", "τ", "ux", "uy", "uφ", NULL};
     static const char *const of_lines[] = {"L", "T", NULL}, *const of_constraints[] = {"L", "λ", NULL};
     static const char *const of_others[] = {"V", "F", NULL};
     const TinkerLawRole role = tinker_law_role(block_class);
@@ -141,16 +142,10 @@ const char *tinker_equations_free_name(TinkerEquations *equations, TinkerBlockId
     return name;
 }
 
-const char *tinker_writer_indexed_name(TinkerEquationWriter *writer, TinkerBlockId block, const char *stem,
-                                       const char *index, int dots, const char *component)
-{
-    return tinker_equations_free_name(writer->equations, block, stem, index, dots, component);
-}
-
 const char *tinker_writer_name(TinkerEquationWriter *writer, TinkerBlockId block, const char *stem, int dots,
                                const char *component)
 {
     const gboolean only = GPOINTER_TO_INT(g_hash_table_lookup(writer->stems, stem)) <= 1;
-    return tinker_writer_indexed_name(writer, block, stem, only ? "" : tinker_writer_index(writer, block), dots,
-                                      component);
+    return tinker_equations_free_name(writer->equations, block, stem, only ? "" : tinker_writer_index(writer, block),
+                                      dots, component);
 }

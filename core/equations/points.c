@@ -165,7 +165,7 @@ static TinkerExpression *offset(TinkerEquationWriter *writer, TinkerBlockId conn
     g_autofree char *key = g_strdup_printf("ends %d at %s", number, along_x ? "x" : "y");
     g_autofree char *index = g_strdup_printf("%s%s%d", tinker_writer_index(writer, connector),
                                              tinker_writer_index(writer, connector)[0] != '\0' ? "," : "", number + 1);
-    const char *name = tinker_writer_indexed_name(writer, connector, along_x ? "ax" : "ay", index, 0, NULL);
+    const char *name = tinker_equations_free_name(writer->equations, connector, along_x ? "ax" : "ay", index, 0, NULL);
     tinker_equations_set_rounding(writer->equations, name, DBL_EPSILON * fmax(writer->extent, hypot(end->x, end->y)));
     return tinker_writer_symbol(writer, name, connector, value, tinker_length_dimension, key, NULL);
 }
@@ -208,7 +208,7 @@ static TinkerExpression *define_of_end(TinkerEquationWriter *writer, TinkerBlock
 {
     static const char *const components[] = {"x", "y"};
     const TinkerDimension dimension = dots == 0 ? tinker_length_dimension : tinker_velocity_dimension;
-    const char *name = tinker_writer_indexed_name(writer, connector, stem, index, dots, components[axis]);
+    const char *name = tinker_equations_free_name(writer->equations, connector, stem, index, dots, components[axis]);
     g_hash_table_add(writer->places, g_strdup(name));
     return tinker_writer_define(writer, name, connector, dimension, means, is, FALSE);
 }
@@ -282,7 +282,7 @@ TinkerExpression *tinker_writer_start(TinkerEquationWriter *writer, TinkerBlockI
     tinker_frame_centre(writer->start, end.block, &centre[0], &centre[1], &at[2]);
     const char *of_connector = tinker_writer_index(writer, connector);
     g_autofree char *index = g_strdup_printf("%s%s%d", of_connector, of_connector[0] != '\0' ? "," : "", number + 1);
-    const char *name = tinker_writer_indexed_name(writer, connector, stems[which], index, 0, NULL);
+    const char *name = tinker_equations_free_name(writer->equations, connector, stems[which], index, 0, NULL);
     return tinker_writer_symbol(writer, name, connector, at[which], dimension, NULL, means[which]);
 }
 

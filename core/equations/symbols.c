@@ -13,13 +13,6 @@ const TinkerDimension tinker_length_dimension = {0, 1, 0, 0}, tinker_velocity_di
                       tinker_force_dimension = {1, 1, -2, 0}, tinker_pure_dimension = {0, 0, 0, 0},
                       tinker_torque_dimension = {1, 2, -2, 0}, tinker_angle_dimension = {0, 0, 0, 1};
 
-static void keep_value(TinkerEquationWriter *writer, const char *name, double value)
-{
-    double *kept = g_new(double, 1);
-    *kept = value;
-    g_hash_table_insert(writer->equations->values, g_strdup(name), kept);
-}
-
 TinkerExpression *tinker_writer_symbol(TinkerEquationWriter *writer, const char *name, TinkerBlockId block,
                                        double value, TinkerDimension dimension, const char *property,
                                        const char *quantity)
@@ -27,7 +20,7 @@ TinkerExpression *tinker_writer_symbol(TinkerEquationWriter *writer, const char 
     TinkerEquationSymbol *symbol = g_new0(TinkerEquationSymbol, 1);
     *symbol = (TinkerEquationSymbol){g_strdup(name), value, dimension, block, g_strdup(property), quantity};
     g_ptr_array_add(writer->equations->symbols, symbol);
-    keep_value(writer, name, value);
+    tinker_equations_set_value(writer->equations, name, value);
     return tinker_expression_symbol(name);
 }
 
@@ -72,7 +65,7 @@ TinkerExpression *tinker_writer_define(TinkerEquationWriter *writer, const char 
                                              .value = tinker_equations_value(writer->equations, is)};
     g_ptr_array_add(writer->equations->definitions, definition);
     g_hash_table_insert(writer->by_name, definition->name, definition);
-    keep_value(writer, name, definition->value);
+    tinker_equations_set_value(writer->equations, name, definition->value);
     return tinker_expression_symbol(name);
 }
 
@@ -352,9 +345,9 @@ TinkerExpression *tinker_law_use_equation(TinkerEquationWriter *writer, TinkerLa
         if (!tinker_law_is_step(step->symbol) || g_hash_table_contains(use->meanings, step->symbol)) continue;
         TinkerExpression *is = written(&inside, step->is);
         if (is->count > 0) {
-            const char *name = use->index != NULL
-                                   ? tinker_writer_indexed_name(writer, use->block, step->symbol, use->index, 0, NULL)
-                                   : tinker_writer_name(writer, use->block, step->symbol, 0, NULL);
+            const char *name = use->index != NULL ? tinker_equations_free_name(writer->equations, use->block,
+                                                                               step->symbol, use->index, 0, NULL)
+                                                  : tinker_writer_name(writer, use->block, step->symbol, 0, NULL);
             is = tinker_writer_define(writer, name, use->block, step->dimension, step->means, is, FALSE);
         }
         tinker_law_use_set(use, step->symbol, is);

@@ -53,8 +53,9 @@ typedef struct {
 static TinkerExpression *unwritten(TinkerEquationWriter *writer, const Unwritten *of, const char *stem,
                                    const char *component, double value, TinkerDimension dimension)
 {
-    const char *name = of->index == NULL ? tinker_writer_name(writer, of->block, stem, 0, component)
-                                         : tinker_writer_indexed_name(writer, of->block, stem, of->index, 0, component);
+    const char *name = of->index == NULL
+                           ? tinker_writer_name(writer, of->block, stem, 0, component)
+                           : tinker_equations_free_name(writer->equations, of->block, stem, of->index, 0, component);
     tinker_writer_note_unwritten(writer, of->block, name, of->why);
     return tinker_writer_symbol(writer, name, of->block, value, dimension, NULL,
                                 dimension.length == 1 ? "force" : "torque");
@@ -149,7 +150,7 @@ static TinkerExpression *define_span(TinkerEquationWriter *writer, TinkerBlockId
     const char *of_block = tinker_writer_index(writer, block);
     g_autofree char *index = g_strdup_printf("%s%s%d", of_block, of_block[0] != '\0' ? "," : "", number);
     g_autofree char *means = g_strdup_printf("distance from its end %d to its end %d", number, number + 1);
-    const char *name = tinker_writer_indexed_name(writer, block, "L", index, 0, NULL);
+    const char *name = tinker_equations_free_name(writer->equations, block, "L", index, 0, NULL);
     const guint before = writer->equations->definitions->len;
     TinkerExpression *symbol = tinker_writer_define(writer, name, block, tinker_length_dimension, means, length, FALSE);
     ((TinkerEquationDefinition *)g_ptr_array_index(writer->equations->definitions, before))->span = number;

@@ -72,8 +72,6 @@ const char *tinker_writer_name(TinkerEquationWriter *writer, TinkerBlockId block
 /* A free name whose index is given; "" for none. Borrowed from the equations. */
 const char *tinker_equations_free_name(TinkerEquations *equations, TinkerBlockId block, const char *stem,
                                        const char *index, int dots, const char *component);
-const char *tinker_writer_indexed_name(TinkerEquationWriter *writer, TinkerBlockId block, const char *stem,
-                                       const char *index, int dots, const char *component);
 
 /* The number of a body among bodies; "" where it is the only one. Borrowed. */
 const char *tinker_writer_index(const TinkerEquationWriter *writer, TinkerBlockId block);
@@ -84,6 +82,9 @@ const char *tinker_writer_index(const TinkerEquationWriter *writer, TinkerBlockI
 TinkerExpression *tinker_writer_symbol(TinkerEquationWriter *writer, const char *name, TinkerBlockId block,
                                        double value, TinkerDimension dimension, const char *property,
                                        const char *quantity);
+
+/* Says what a symbol or a definition is worth at the time: a name without a value counts as 0. */
+void tinker_equations_set_value(TinkerEquations *equations, const char *name, double value);
 
 /* Says how exact a value is that is not rounded to its own last digit, as of a coordinate beside a larger one. */
 void tinker_equations_set_rounding(TinkerEquations *equations, const char *name, double rounding);

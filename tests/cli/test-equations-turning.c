@@ -171,6 +171,115 @@ static void test_double_pendulums(CliFixture *fixture, gconstpointer data)
     assert_page_holds(fixture, "equations @scene.json --form angles", of_masses);
 }
 
+/* Values by name, and what stands for a name. */
+typedef struct {
+    GHashTable *values;
+    const cJSON *definitions[2];
+} Known;
+
+static double value_of(const Known *known, const cJSON *expression);
+
+static double value_of_name(const Known *known, const char *name)
+{
+    const double *value = g_hash_table_lookup(known->values, name);
+    if (value != NULL) return *value;
+    for (int i = 0; i < 2; i++)
+        for (const cJSON *each = cJSON_GetArrayItem(known->definitions[i], 0); each != NULL; each = each->next)
+            if (strcmp(cJSON_GetObjectItem(each, "symbol")->valuestring, name) == 0)
+                return value_of(known, cJSON_GetObjectItem(each, "is"));
+    g_error("%s has no value", name);
+}
+
+/* What the expression is worth, by the forms that equations in angles have. */
+static double value_of(const Known *known, const cJSON *expression)
+{
+    if (cJSON_IsNumber(expression)) return expression->valuedouble;
+    if (cJSON_IsString(expression)) return value_of_name(known, expression->valuestring);
+    const char *what = cJSON_GetArrayItem(expression, 0)->valuestring;
+    const int count = cJSON_GetArraySize(expression);
+    double value = value_of(known, cJSON_GetArrayItem(expression, 1));
+    if (strcmp(what, "sin") == 0) return sin(value);
+    if (strcmp(what, "cos") == 0) return cos(value);
+    if (strcmp(what, "sqrt") == 0) return sqrt(value);
+    if (strcmp(what, "-") == 0 && count == 2) return -value;
+    for (int i = 2; i < count; i++) {
+        const double next = value_of(known, cJSON_GetArrayItem(expression, i));
+        g_assert_nonnull(strchr("+-*/^", what[0]));
+        value = what[0] == '+'   ? value + next
+                : what[0] == '-' ? value - next
+                : what[0] == '*' ? value * next
+                : what[0] == '/' ? value / next
+                                 : pow(value, next);
+    }
+    return value;
+}
+
+static void know(Known *known, const char *name, double value)
+{
+    double *kept = g_new(double, 1);
+    *kept = value;
+    g_hash_table_insert(known->values, g_strdup(name), kept);
+}
+
+/* Every equation in the angles is 0 with the accelerations of the run, to the limit times its largest term. */
+static void assert_equations_hold(const cJSON *root, const double accelerations[2])
+{
+    const cJSON *island = cJSON_GetArrayItem(cJSON_GetObjectItem(root, "islands"), 0), *each;
+    Known known = {g_hash_table_new_full(g_str_hash, g_str_equal, g_free, g_free),
+                   {cJSON_GetObjectItem(root, "definitions"), cJSON_GetObjectItem(island, "definitions")}};
+    int angles = 0;
+    cJSON_ArrayForEach(each, cJSON_GetObjectItem(root, "symbols"))
+        know(&known, each->string, cJSON_GetObjectItem(each, "value")->valuedouble);
+    cJSON_ArrayForEach(each, cJSON_GetObjectItem(island, "angles"))
+    {
+        know(&known, cJSON_GetObjectItem(each, "symbol")->valuestring, cJSON_GetObjectItem(each, "value")->valuedouble);
+        know(&known, cJSON_GetObjectItem(each, "rate")->valuestring,
+             cJSON_GetObjectItem(each, "rate_value")->valuedouble);
+        know(&known, cJSON_GetObjectItem(each, "acceleration")->valuestring, accelerations[angles++]);
+    }
+    g_assert_cmpint(angles, ==, 2);
+    g_assert_cmpint(cJSON_GetArraySize(cJSON_GetObjectItem(island, "blocks")), ==, 2);
+    cJSON_ArrayForEach(each, cJSON_GetObjectItem(island, "equations")) assert_near(value_of(&known, each), 0, 1e-9);
+    g_hash_table_unref(known.values);
+}
+
+/* A box on a pin, and a bar that hangs on the box, with joints on either axis of the box and on none: the equations in
+ * angles are those of the run. */
+static void test_joints_off_axes(CliFixture *fixture, gconstpointer data)
+{
+    static const double places[][4] = {{0, 0.5, 0, -0.5},     {0, -0.5, 0.3, 0.2}, {-0.3, 0.4, 0, 0},
+                                       {0.3, 0.2, -0.4, 0.1}, {0, 0, 0.2, 0.3},    {0.4, 0, -0.1, 0.3}};
+    for (gsize i = 0; i < G_N_ELEMENTS(places); i++) {
+        const double *at = places[i], turn = 0.4;
+        const double x = -(at[0] * cos(turn) - at[1] * sin(turn)), y = 3 - (at[0] * sin(turn) + at[1] * cos(turn));
+        const double joint_x = x + at[2] * cos(turn) - at[3] * sin(turn),
+                     joint_y = y + at[2] * sin(turn) + at[3] * cos(turn);
+        g_autofree char *text = g_strdup_printf(
+            "{\"tinker\": 1, \"blocks\": [{\"type\": \"gravity\"},"
+            "{\"type\": \"support\", \"name\": \"Pivot\", \"position\": [0, 3], \"solid\": false},"
+            "{\"type\": \"box\", \"name\": \"Box\", \"mass\": 2, \"position\": [%.17g, %.17g], \"orientation\": %g,"
+            " \"angular_velocity\": 1.5, \"solid\": false},"
+            "{\"type\": \"bar\", \"name\": \"Bar\", \"mass\": 0.7, \"length\": 1, \"orientation\": 0,"
+            " \"position\": [%.17g, %.17g]},"
+            "{\"type\": \"pin\", \"ends\": [\"Pivot\", {\"block\": \"Box\", \"at\": [%g, %g]}]},"
+            "{\"type\": \"pin\", \"ends\": [{\"block\": \"Box\", \"at\": [%g, %g]}, {\"block\": \"Bar\", \"at\":"
+            " [-0.5, 0]}]}]}",
+            x, y, turn, joint_x + 0.5, joint_y, at[0], at[1], at[2], at[3]);
+        g_autofree char *scene = cli_write(fixture, "scene.json", text);
+        g_autoptr(TestProgram) run = cli_run_well(
+            fixture,
+            "run @scene.json --csv - --at 0.2 --columns \"Box.angular acceleration,Bar.angular acceleration\"");
+        const char *row = strchr(run->output, '\n') + 1;
+        char *end = strchr(row, ',') + 1;
+        double accelerations[2];
+        accelerations[0] = g_ascii_strtod(end, &end);
+        accelerations[1] = g_ascii_strtod(end + 1, NULL);
+        cJSON *root = parsed(fixture, "equations @scene.json --form angles --at 0.2 --as json");
+        assert_equations_hold(root, accelerations);
+        cJSON_Delete(root);
+    }
+}
+
 /* A rope from a load to a place on a beam that hangs upside down, to another and to a second load: each part of it has
  * a name, and what is known of a beam upside down is not left as sin and cos. */
 static void test_spans(CliFixture *fixture, gconstpointer data)
@@ -532,6 +641,7 @@ int main(int argc, char **argv)
     g_test_init(&argc, &argv, NULL);
     cli_test_add("/cli/equations-turning/pendulum", test_pendulum);
     cli_test_add("/cli/equations-turning/angles", test_angles);
+    cli_test_add("/cli/equations-turning/joints-off-axes", test_joints_off_axes);
     cli_test_add("/cli/equations-turning/double-pendulums", test_double_pendulums);
     cli_test_add("/cli/equations-turning/torque", test_torque);
     cli_test_add("/cli/equations-turning/long-chain", test_long_chain);

@@ -257,7 +257,7 @@ static cJSON *tree_json(const TinkerEquations *equations, const TinkerAngleTree 
         const TinkerRodAngle *angle = &g_array_index(tree->angles, TinkerRodAngle, i);
         const char *rod = tinker_scene_block_name(equations->scene, angle->rod);
         tinker_json_add_name(blocks, equations->scene, angle->body);
-        cJSON_AddItemToArray(blocks, cJSON_CreateString(rod));
+        if (angle->rod != angle->body) tinker_json_add_name(blocks, equations->scene, angle->rod);
         cJSON *each = cJSON_CreateObject();
         cJSON_AddStringToObject(each, "symbol", angle->angle);
         cJSON_AddStringToObject(each, "block", rod);
