@@ -3,7 +3,7 @@
 #ifndef TINKER_HOST_DRIVE_RESPONSE_H
 #define TINKER_HOST_DRIVE_RESPONSE_H
 
-#include "analysis/mode-analysis.h"
+#include "analysis/modes/mode-analysis.h"
 
 typedef struct {
     char *drive, *quantity;    /* "Motor 0", "Mass 0.x": what answers most */

@@ -2,7 +2,7 @@
 #ifndef TINKER_HOST_MODE_SHAPE_H
 #define TINKER_HOST_MODE_SHAPE_H
 
-#include "analysis/mode-analysis.h"
+#include "analysis/modes/mode-analysis.h"
 #include "scene/frame/frame.h"
 
 /* How far (m) the largest component of a shape is drawn in a frame of the analysed scene. */

@@ -3,7 +3,7 @@
 #ifndef TINKER_HOST_TRADE_CHART_H
 #define TINKER_HOST_TRADE_CHART_H
 
-#include "analysis/trade.h"
+#include "analysis/trade/trade.h"
 #include "render/plot/plot.h"
 
 typedef struct _TinkerTradeChart TinkerTradeChart;

@@ -2,7 +2,7 @@
 #ifndef TINKER_HOST_TRADE_WORDS_H
 #define TINKER_HOST_TRADE_WORDS_H
 
-#include "analysis/trade.h"
+#include "analysis/trade/trade.h"
 
 /* "0.01 s" of a step, "1e-09" of a tolerance, nothing where the method takes neither. (transfer full) */
 char *tinker_trade_value_text(const TinkerTradeSetting *setting);

@@ -2,7 +2,7 @@
 #ifndef TEST_MODES_FIXTURE_H
 #define TEST_MODES_FIXTURE_H
 
-#include "analysis/mode-analysis.h"
+#include "analysis/modes/mode-analysis.h"
 #include "physics-fixture.h"
 
 typedef struct {

@@ -2,7 +2,7 @@
 #ifndef TEST_START_OFFERS_H
 #define TEST_START_OFFERS_H
 
-#include "analysis/start-conditions.h"
+#include "analysis/start/start-conditions.h"
 #include "start-fixture.h"
 
 #define GRAVITY "{'type': 'gravity', 'acceleration': 9.81},"

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "analysis/advice.h"
+#include "analysis/start/advice.h"
 #include "physics/compile/compile.h"
 #include "physics/model/model.h"
 #include "start-fixture.h"

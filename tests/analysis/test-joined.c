@@ -5,7 +5,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "analysis/joined.h"
+#include "analysis/start/joined.h"
 
 #define CLOSE(actual, expected) g_assert_cmpfloat_with_epsilon(actual, expected, 1e-9)
 

@@ -1,5 +1,5 @@
 /* The trade where bodies touch: contact as impulses is measured beside the methods, which have it by events. */
-#include "analysis/trade.h"
+#include "analysis/trade/trade.h"
 
 #include "physics-fixture.h"
 

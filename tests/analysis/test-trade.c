@@ -1,5 +1,5 @@
 /* The trade against closed forms: orders, errors that are the true ones, advice that is kept to. */
-#include "analysis/trade.h"
+#include "analysis/trade/trade.h"
 
 #include <math.h>
 #include <string.h>

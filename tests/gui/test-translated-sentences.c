@@ -1,7 +1,7 @@
 /* Sentences that the core composes, in German: those that the window shows, and none of the command line. */
 #include <string.h>
 
-#include "analysis/advice.h"
+#include "analysis/start/advice.h"
 #include "german.h"
 #include "gui-fixture.h"
 #include "physics/compile/compile.h"

@@ -2,7 +2,7 @@
 #ifndef TINKER_CLI_MODE_RESPONSE_H
 #define TINKER_CLI_MODE_RESPONSE_H
 
-#include "analysis/mode-analysis.h"
+#include "analysis/modes/mode-analysis.h"
 #include "render/draw/theme.h"
 
 typedef struct {

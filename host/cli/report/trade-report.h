@@ -4,7 +4,7 @@
 
 #include <stdio.h>
 
-#include "analysis/trade.h"
+#include "analysis/trade/trade.h"
 
 /* The measurements by method, why some of them failed, and the observed orders. */
 void tinker_trade_write_tables(const TinkerTrade *trade, FILE *file);

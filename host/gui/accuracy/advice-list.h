@@ -5,7 +5,7 @@
 #ifndef TINKER_GUI_ADVICE_LIST_H
 #define TINKER_GUI_ADVICE_LIST_H
 
-#include "analysis/advice.h"
+#include "analysis/start/advice.h"
 #include "gui/document/player.h"
 
 #define TINKER_TYPE_ADVICE_LIST (tinker_advice_list_get_type())

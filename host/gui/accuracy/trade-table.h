@@ -6,7 +6,7 @@
 
 #include <gtk/gtk.h>
 
-#include "analysis/trade.h"
+#include "analysis/trade/trade.h"
 
 #define TINKER_TYPE_TRADE_TABLE (tinker_trade_table_get_type())
 G_DECLARE_FINAL_TYPE(TinkerTradeTable, tinker_trade_table, TINKER, TRADE_TABLE, GtkWidget)

@@ -5,7 +5,7 @@
 #ifndef TINKER_GUI_TRADE_TASK_H
 #define TINKER_GUI_TRADE_TASK_H
 
-#include "analysis/trade.h"
+#include "analysis/trade/trade.h"
 #include "gui/document/document.h"
 
 #define TINKER_TYPE_TRADE_TASK (tinker_trade_task_get_type())

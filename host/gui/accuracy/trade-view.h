@@ -6,7 +6,7 @@
 
 #include <gtk/gtk.h>
 
-#include "analysis/trade.h"
+#include "analysis/trade/trade.h"
 
 #define TINKER_TYPE_TRADE_VIEW (tinker_trade_view_get_type())
 G_DECLARE_FINAL_TYPE(TinkerTradeView, tinker_trade_view, TINKER, TRADE_VIEW, GtkDrawingArea)

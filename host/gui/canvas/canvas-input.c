@@ -1,7 +1,7 @@
 /* Gestures and keys. A press decides by what lies under it; nothing is changed before the pointer has moved. */
 #include <math.h>
 
-#include "analysis/joined.h"
+#include "analysis/start/joined.h"
 #include "gui/canvas/canvas-private.h"
 
 #define THRESHOLD  4.0  /* widget units: a press that moves less is a click */

@@ -2,7 +2,7 @@
 #include <glib/gi18n.h>
 #include <math.h>
 
-#include "analysis/joined.h"
+#include "analysis/start/joined.h"
 #include "gui/canvas/canvas-private.h"
 #include "gui/text/translate.h"
 

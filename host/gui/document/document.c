@@ -4,7 +4,7 @@
 #include <glib/gi18n-lib.h>
 #include <math.h>
 
-#include "analysis/joined.h"
+#include "analysis/start/joined.h"
 #include "gui/document/carry-tables.h"
 
 struct _TinkerDocument {

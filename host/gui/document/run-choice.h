@@ -2,7 +2,7 @@
 #ifndef TINKER_GUI_RUN_CHOICE_H
 #define TINKER_GUI_RUN_CHOICE_H
 
-#include "analysis/trade.h"
+#include "analysis/trade/trade.h"
 #include "gui/document/document.h"
 
 /* Uses the method and step or tolerance of a measurement, and contact by events or as impulses. */

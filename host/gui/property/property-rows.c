@@ -5,7 +5,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "analysis/joined.h"
+#include "analysis/start/joined.h"
 #include "gui/property/property-rows.h"
 #include "gui/text/number-text.h"
 #include "gui/text/translate.h"

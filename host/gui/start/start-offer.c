@@ -1,5 +1,5 @@
-/* What is offered and what it does is the core's (analysis/start-conditions.h); here are words and the way from an
- * entry to the document. */
+/* What is offered and what it does is the core's (analysis/start/start-conditions.h); here are words and the way from
+ * an entry to the document. */
 #include "gui/start/start-offer.h"
 
 #include <glib/gi18n.h>

@@ -3,7 +3,7 @@
 #ifndef TINKER_GUI_START_OFFER_H
 #define TINKER_GUI_START_OFFER_H
 
-#include "analysis/start-conditions.h"
+#include "analysis/start/start-conditions.h"
 #include "gui/document/player.h"
 
 /* What it is called on a button or in a menu, which have header capitals in English. (transfer full) */
