@@ -5,7 +5,7 @@
 
 #include <cairo.h>
 
-#include "equations/books.h"
+#include "equations/balance/books.h"
 #include "render/draw/theme.h"
 
 /* Everything is borrowed. */

@@ -5,7 +5,7 @@
 
 #include <cairo.h>
 
-#include "equations/diagram.h"
+#include "equations/balance/diagram.h"
 #include "render/draw/theme.h"
 #include "scene/frame/frame.h"
 

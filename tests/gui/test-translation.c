@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "equations/page-private.h"
+#include "equations/write/page-private.h"
 #include "german.h"
 #include "gui-fixture.h"
 #include "gui/document/examples.h"

@@ -4,7 +4,7 @@
 
 #include "cli/command/open-scene.h"
 #include "cli/command/run-arguments.h"
-#include "equations/model-state.h"
+#include "equations/state/model-state.h"
 
 /* Runs the scene to a time, of which `option` is what it was given by. TINKER_CLI_ERROR_USAGE for a time beyond the
  * run's duration. (transfer full) */

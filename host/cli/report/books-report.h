@@ -4,7 +4,7 @@
 
 #include <stdio.h>
 
-#include "equations/books.h"
+#include "equations/balance/books.h"
 
 void tinker_books_write_text(const TinkerBooks *books, TinkerScene *scene, const TinkerBlockId *bodies, FILE *file);
 

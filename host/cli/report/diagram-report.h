@@ -4,7 +4,7 @@
 
 #include <stdio.h>
 
-#include "equations/diagram.h"
+#include "equations/balance/diagram.h"
 
 /* (transfer full, g_free) */
 char *tinker_diagram_json(const TinkerDiagram *diagram, TinkerScene *scene, const TinkerBlockId *blocks);

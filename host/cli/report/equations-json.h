@@ -2,9 +2,9 @@
 #ifndef TINKER_CLI_EQUATIONS_JSON_H
 #define TINKER_CLI_EQUATIONS_JSON_H
 
-#include "equations/angles.h"
-#include "equations/equations.h"
-#include "equations/matrix.h"
+#include "equations/angles/angles.h"
+#include "equations/matrix/matrix.h"
+#include "equations/newton/equations.h"
 
 /* The forces on these bodies (ended by -1; NULL: on all). (transfer full, g_free) */
 char *tinker_equations_json(const TinkerEquations *equations, const TinkerBlockId *blocks);

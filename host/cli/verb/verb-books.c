@@ -11,7 +11,7 @@
 #include "cli/report/books-json.h"
 #include "cli/report/books-report.h"
 #include "cli/verb/verbs.h"
-#include "equations/books.h"
+#include "equations/balance/books.h"
 #include "exit-status.h"
 #include "print.h"
 #include "render/draw/surface.h"

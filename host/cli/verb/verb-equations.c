@@ -9,7 +9,7 @@
 #include "cli/command/state-at.h"
 #include "cli/report/equations-json.h"
 #include "cli/verb/verbs.h"
-#include "equations/write.h"
+#include "equations/write/write.h"
 #include "exit-status.h"
 #include "physics/compile/compile.h"
 #include "physics/plan/islands.h"

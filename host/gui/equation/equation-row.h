@@ -3,7 +3,7 @@
 #ifndef TINKER_GUI_EQUATION_ROW_H
 #define TINKER_GUI_EQUATION_ROW_H
 
-#include "equations/lines.h"
+#include "equations/write/lines.h"
 #include "gui/equation/equation-term.h"
 
 #define TINKER_TYPE_EQUATION_ROW (tinker_equation_row_get_type())

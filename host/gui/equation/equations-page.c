@@ -7,7 +7,7 @@
 
 #include "books-picture.h"
 #include "diagram-picture.h"
-#include "equations/lines.h"
+#include "equations/write/lines.h"
 #include "gui/equation/equation-row.h"
 #include "gui/text/sentence.h"
 #include "gui/widget/desktop-theme.h"

@@ -7,8 +7,8 @@
 #ifndef TINKER_GUI_MODEL_TASK_H
 #define TINKER_GUI_MODEL_TASK_H
 
-#include "equations/books.h"
-#include "equations/write.h"
+#include "equations/balance/books.h"
+#include "equations/write/write.h"
 #include "gui/document/player.h"
 
 #define TINKER_TYPE_MODEL_TASK (tinker_model_task_get_type())

@@ -1,0 +1,56 @@
+/* What the files that keep books share. */
+#ifndef TINKER_CORE_BOOK_KEEPER_PRIVATE_H
+#define TINKER_CORE_BOOK_KEEPER_PRIVATE_H
+
+#include "equations/balance/book-nodes-private.h"
+#include "equations/balance/books.h"
+#include "equations/state/model-state.h"
+
+typedef struct {
+    TinkerBookEntry entry;
+    double work, impulse, angular; /* of magnitudes */
+} TinkerBookAccount;
+
+typedef struct {
+    TinkerBlockId block;
+    double mass, inertia; /* kg; kg m^2, 0 of one that does not turn */
+    double speed[3];      /* m/s, m/s, rad/s: before a jump */
+} TinkerBookBody;
+
+/* Something happened in the run: contact, a jerk, a rope that went taut. */
+typedef struct {
+    double time;
+    char *blocks; /* names, joined by ", " */
+} TinkerBookInstant;
+
+typedef struct {
+    TinkerScene *scene;
+    TinkerModel *model;
+    TinkerBooks *books;
+    GArray *bodies;   /* of TinkerBookBody */
+    GArray *accounts; /* of TinkerBookAccount, by block id */
+    GArray *nodes;
+    guint next; /* node */
+    GArray *columns;
+    const GPtrArray *instants; /* of TinkerBookInstant: those of the run before */
+    double greatest[3]; /* sums over the bodies of kinetic energy, |momentum|, |angular momentum|: the greatest */
+} TinkerBookKeeper;
+
+/* The body of a block; NULL where it is none of those whose books these are. */
+TinkerBookBody *tinker_book_body(const TinkerBookKeeper *keeper, TinkerBlockId block);
+
+TinkerBookAccount *tinker_book_account(TinkerBookKeeper *keeper, TinkerBlockId by);
+
+/* The moments of motion at a state, kept as those before (0), after (1) or of neither (-1). */
+void tinker_book_add_motion(TinkerBookKeeper *keeper, const TinkerModelState *state, int which);
+
+/* What the forces at a state do in so many seconds; at the end they are Newton's as well. */
+void tinker_book_add_forces(TinkerBookKeeper *keeper, const TinkerModelState *state, double weight, gboolean end);
+
+/* Looks at velocities just before an instant, and at it. */
+void tinker_book_look_for_jumps(TinkerBookKeeper *keeper, const TinkerModelState *state, gboolean after);
+
+/* Fills the books from the accounts. */
+void tinker_book_conclude(TinkerBookKeeper *keeper);
+
+#endif

@@ -1,0 +1,13 @@
+/* Work on the numbers of a matrix form. */
+#ifndef TINKER_CORE_EQUATION_MATRIX_PRIVATE_H
+#define TINKER_CORE_EQUATION_MATRIX_PRIVATE_H
+
+#include "equations/matrix/matrix.h"
+
+/* Fills omega, zeta, decay and unstable. */
+void tinker_matrix_roots(const TinkerEquations *equations, TinkerMatrixIsland *island);
+
+/* Counts from rest where K is regular: fills `about` by the constant loads, and leaves those that vary in `load`. */
+void tinker_matrix_count_from_rest(const TinkerEquations *equations, TinkerMatrixIsland *island);
+
+#endif

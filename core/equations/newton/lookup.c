@@ -1,0 +1,65 @@
+/* Names looked up: what they stand for, how they look, what their values are. */
+#include <string.h>
+
+#include "equations/newton/writer.h"
+#include "law/value.h"
+
+const TinkerEquationDefinition *tinker_equations_definition(const TinkerEquations *equations, const char *name)
+{
+    for (guint i = 0; i < equations->definitions->len; i++) {
+        const TinkerEquationDefinition *definition = g_ptr_array_index(equations->definitions, i);
+        if (strcmp(definition->name, name) == 0) return definition;
+    }
+    return NULL;
+}
+
+const TinkerEquationSymbol *tinker_equations_symbol(const TinkerEquations *equations, const char *name)
+{
+    for (guint i = 0; i < equations->symbols->len; i++) {
+        const TinkerEquationSymbol *symbol = g_ptr_array_index(equations->symbols, i);
+        if (strcmp(symbol->name, name) == 0) return symbol;
+    }
+    return NULL;
+}
+
+gboolean tinker_equations_is_not_written(const TinkerEquations *equations, const char *symbol)
+{
+    for (guint i = 0; i < equations->not_written->len; i++) {
+        const TinkerNotWritten *missing = g_ptr_array_index(equations->not_written, i);
+        for (guint k = 0; k < missing->symbols->len; k++)
+            if (strcmp(g_ptr_array_index(missing->symbols, k), symbol) == 0) return TRUE;
+    }
+    return FALSE;
+}
+
+void tinker_equations_look(const char *symbol, TinkerSymbolLook *look, void *data)
+{
+    const TinkerEquations *equations = data;
+    const TinkerEquationLook *known = g_hash_table_lookup(equations->looks, symbol);
+    *look = known != NULL ? (TinkerSymbolLook){known->stem, known->index, known->dots, known->component}
+                          : (TinkerSymbolLook){symbol, "", 0, NULL};
+}
+
+void tinker_equations_set_value(TinkerEquations *equations, const char *name, double value)
+{
+    double *kept = g_new(double, 1);
+    *kept = value;
+    g_hash_table_insert(equations->values, g_strdup(name), kept);
+}
+
+static double value_of(const char *symbol, void *data)
+{
+    const double *value = g_hash_table_lookup(((const TinkerEquations *)data)->values, symbol);
+    return value != NULL ? *value : 0;
+}
+
+double tinker_equations_value(const TinkerEquations *equations, const TinkerExpression *expression)
+{
+    return tinker_expression_value(expression, value_of, (void *)equations);
+}
+
+const char *tinker_term_kind_name(TinkerTermKind kind)
+{
+    static const char *const names[] = {"connector", "constraint", "force", "field", "normal", "friction"};
+    return names[kind];
+}

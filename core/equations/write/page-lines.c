@@ -1,0 +1,66 @@
+/* The lines of a page that has no text. */
+#include "equations/write/lines.h"
+#include "equations/write/page-private.h"
+
+static void term_clear(gpointer data)
+{
+    g_free(((TinkerLineTerm *)data)->text);
+}
+
+static void line_free(gpointer data)
+{
+    TinkerEquationLine *line = data;
+    g_free(line->heading);
+    g_free(line->left);
+    g_free(line->comment);
+    g_array_unref(line->terms);
+    g_free(line);
+}
+
+static TinkerEquationLine *add_line(TinkerPage *page)
+{
+    TinkerEquationLine *line = g_new0(TinkerEquationLine, 1);
+    line->block = page->about;
+    line->component = -1;
+    line->terms = g_array_new(FALSE, TRUE, sizeof(TinkerLineTerm));
+    g_array_set_clear_func(line->terms, term_clear);
+    g_ptr_array_add(page->lines, line);
+    return line;
+}
+
+void tinker_page_line_heading(TinkerPage *page, const char *heading)
+{
+    add_line(page)->heading = g_strdup(heading);
+}
+
+void tinker_page_line(TinkerPage *page, char *left, char *right, char *comment)
+{
+    TinkerEquationLine *line = add_line(page);
+    const TinkerLineTerm term = {right, page->about, TINKER_TERM_FORCE};
+    line->left = left;
+    line->comment = comment;
+    g_array_append_val(line->terms, term);
+}
+
+void tinker_page_line_sum(TinkerPage *page, char *left, int component, char *comment)
+{
+    TinkerEquationLine *line = add_line(page);
+    line->left = left;
+    line->component = component;
+    line->comment = comment;
+}
+
+void tinker_page_line_term(TinkerPage *page, TinkerBlockId block, TinkerTermKind kind,
+                           const TinkerExpression *expression)
+{
+    TinkerEquationLine *line = g_ptr_array_index(page->lines, page->lines->len - 1);
+    const TinkerLineTerm term = {tinker_expression_typeset_term(expression, line->terms->len == 0, page->format,
+                                                                tinker_equations_look, (void *)page->equations),
+                                 block, kind};
+    g_array_append_val(line->terms, term);
+}
+
+GPtrArray *tinker_page_lines_new(void)
+{
+    return g_ptr_array_new_with_free_func(line_free);
+}

@@ -1,0 +1,69 @@
+/* A page of headings and equations in one of the formats. */
+#ifndef TINKER_CORE_EQUATIONS_PAGE_PRIVATE_H
+#define TINKER_CORE_EQUATIONS_PAGE_PRIVATE_H
+
+#include "equations/write/write.h"
+
+typedef struct {
+    GString *text;
+    TinkerTypesetFormat format;
+    const TinkerEquations *equations;
+    GPtrArray *rows;     /* of char *: left, right and comment of equations that have not been written yet */
+    GPtrArray *lines;    /* of TinkerEquationLine: where they go instead (lines.h), without a text; or NULL */
+    TinkerBlockId about; /* whose the next equations are; -1: nobody's, as after each heading */
+    gboolean in_state;   /* the heading before them is that of tinker_page_state */
+} TinkerPage;
+
+void tinker_page_begin(TinkerPage *page, TinkerTypesetFormat format, const TinkerEquations *equations,
+                       const char *title);
+void tinker_page_heading(TinkerPage *page, const char *heading);
+
+/* left = right, and what it is; all are taken over. `comment` is plain text, and may be NULL. */
+void tinker_page_equation(TinkerPage *page, char *left, char *right, char *comment);
+
+/* Equations as lines of a page, in place of its text; page-lines.c. A sum has its terms added one by one. */
+GPtrArray *tinker_page_lines_new(void);
+void tinker_page_line_heading(TinkerPage *page, const char *heading);
+void tinker_page_line(TinkerPage *page, char *left, char *right, char *comment);
+void tinker_page_line_sum(TinkerPage *page, char *left, int component, char *comment);
+void tinker_page_line_term(TinkerPage *page, TinkerBlockId block, TinkerTermKind kind,
+                           const TinkerExpression *expression);
+
+/* What the writers of write.h put between a page's beginning and its end. */
+void tinker_equations_put_newton(TinkerPage *page, const TinkerEquationsShown *shown);
+void tinker_equations_put_matrix(TinkerPage *page, const TinkerMatrixForm *form, const TinkerEquationsShown *shown);
+void tinker_equations_put_angles(TinkerPage *page, const TinkerAngleForm *form, const TinkerEquationsShown *shown);
+
+/* Ends a block of equations that are aligned with each other. */
+void tinker_page_gap(TinkerPage *page);
+
+/* Adds the names that an expression needs (const char *, interned). */
+void tinker_equations_mark(const TinkerEquations *equations, const TinkerExpression *expression, GHashTable *needed);
+
+/* The definitions that these names need, then the values of symbols: first those that are given, then those at the
+ * time. */
+void tinker_page_names(TinkerPage *page, GHashTable *needed);
+
+/* A symbol's value at the time, below a heading that says which time; strings are as of tinker_page_equation. */
+void tinker_page_state(TinkerPage *page, TinkerBlockId block, char *symbol, char *value, char *comment);
+
+/* (transfer full) */
+char *tinker_page_end(TinkerPage *page);
+
+/* In the page's format. (transfer full) */
+char *tinker_page_expression(const TinkerPage *page, const TinkerExpression *expression);
+char *tinker_page_symbol(const TinkerPage *page, const char *name);
+/* The symbol with so many dots more. */
+char *tinker_page_derivative(const TinkerPage *page, const char *name, int dots);
+/* A number with its unit. */
+char *tinker_page_quantity(const TinkerPage *page, double value, TinkerDimension dimension);
+/* Of what may be a torque or an energy: in N m or in J. */
+char *tinker_page_amount(const TinkerPage *page, double value, TinkerDimension dimension, gboolean energy);
+
+/* What stands behind a symbol, in the words of the locale. Borrowed. */
+const char *tinker_page_words(const char *english);
+/* Which property a symbol is the value of: its label where the locale has one, else the words of its key. (transfer
+ * full) */
+char *tinker_page_property_words(const TinkerEquations *equations, const TinkerEquationSymbol *symbol);
+
+#endif

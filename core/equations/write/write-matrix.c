@@ -1,0 +1,233 @@
+/* The matrix form as a page. */
+#include <glib/gi18n-lib.h>
+#include <math.h>
+#include <string.h>
+
+#include "equations/write/page-private.h"
+#include "equations/write/write.h"
+#include "law/build.h"
+
+#define ROUNDING     1e-12 /* damping ratios below it are 0 */
+#define MOST_WRITTEN 8     /* coordinates: beyond, the JSON has the entries */
+
+static const TinkerDimension length = {0, 1, 0, 0}, frequency = {0, 0, -1, 1}, seconds = {0, 0, 1, 0};
+
+static const TinkerMatrixCoordinate *coordinate_at(const TinkerMatrixIsland *island, guint number)
+{
+    return &g_array_index(island->coordinates, TinkerMatrixCoordinate, number);
+}
+
+/* q or q_1, with dots. */
+static char *coordinate(const TinkerPage *page, const TinkerMatrixIsland *island, guint number, int dots)
+{
+    GString *text = g_string_new(NULL);
+    g_autofree char *index = island->coordinates->len == 1 ? g_strdup("") : g_strdup_printf("%u", number + 1);
+    const TinkerSymbolLook look = {"q", index, dots, NULL};
+    tinker_symbol_typeset(text, &look, page->format);
+    return g_string_free(text, FALSE);
+}
+
+/* "+ c q'" where the coefficient is not 0. */
+static void add_term(GString *sum, const TinkerPage *page, const TinkerExpression *factor, char *variable)
+{
+    static const char *const open[] = {"(", "\\left(", "<mo>(</mo>", ", "};
+    static const char *const close[] = {")", "\\right)", "<mo>)</mo>", ", "};
+    if (!tinker_expression_is_number(factor, 0)) {
+        const gboolean negative = factor->kind == TINKER_EXPRESSION_NEGATIVE;
+        const TinkerExpression *size = negative ? factor->parts[0] : factor;
+        const gboolean brackets = size->kind == TINKER_EXPRESSION_SUM;
+        g_autofree char *text = tinker_page_expression(page, size);
+        if (sum->len > 0 || negative) g_string_append(sum, tinker_typeset_sign(page->format, negative ? '-' : '+'));
+        g_string_append_printf(sum, "%s%s%s%s%s", brackets ? open[page->format] : "", text,
+                               brackets ? close[page->format] : "", tinker_typeset_sign(page->format, '*'), variable);
+    }
+    g_free(variable);
+}
+
+/* Row i: m q'' + c q' + k q = f. */
+static void write_row(TinkerPage *page, const TinkerMatrixIsland *island, guint i)
+{
+    const guint n = island->coordinates->len;
+    const GPtrArray *const matrices[] = {island->mass, island->damping, island->stiffness};
+    GString *sum = g_string_new(NULL);
+    for (int order = 0; order < 3; order++)
+        for (guint k = 0; k < n; k++)
+            add_term(sum, page, g_ptr_array_index(matrices[order], i * n + k), coordinate(page, island, k, 2 - order));
+    tinker_page_equation(page, g_string_free(sum, FALSE),
+                         tinker_page_expression(page, g_ptr_array_index(island->load, i)), NULL);
+}
+
+static void write_coordinate(TinkerPage *page, const TinkerMatrixIsland *island, guint number)
+{
+    const TinkerMatrixCoordinate *each = coordinate_at(island, number);
+    g_autofree char *is = tinker_page_expression(page, each->is);
+    const double rest = fabs(each->about) <= each->rounding ? 0 : each->about;
+    g_autofree char *about = tinker_page_quantity(page, fabs(rest), length);
+    char *right = rest == 0 ? g_strdup(is)
+                            : g_strconcat(is, tinker_typeset_sign(page->format, rest > 0 ? '-' : '+'), about, NULL);
+    tinker_page_equation(page, coordinate(page, island, number, 0), right,
+                         g_strdup(island->about_rest ? _("counted from rest") : _("its place")));
+    const double value = tinker_equations_value(page->equations, each->is) - each->about;
+    const gboolean is_rest = fabs(value) <= each->rounding + tinker_equations_rounding(page->equations, each->is);
+    tinker_page_equation(page, coordinate(page, island, number, 0),
+                         tinker_page_quantity(page, is_rest ? 0 : value, length),
+                         g_strdup_printf(C_("equations", "at t = %g s"), page->equations->time));
+}
+
+static char *named(const TinkerPage *page, const char *stem, const char *index)
+{
+    GString *text = g_string_new(NULL);
+    const TinkerSymbolLook look = {stem, index, 0, NULL};
+    tinker_symbol_typeset(text, &look, page->format);
+    return g_string_free(text, FALSE);
+}
+
+/* x^2. */
+static char *squared(const TinkerPage *page, const char *stem, const char *index)
+{
+    static const char *const forms[] = {"%s²", "%s^{2}", "<msup>%s<mn>2</mn></msup>", "%s squared"};
+    g_autofree char *base = named(page, stem, index);
+    const char *form = forms[page->format], *place = strstr(form, "%s");
+    return g_strdup_printf("%.*s%s%s", (int)(place - form), form, base, place + 2);
+}
+
+/* The textbook's form of one coordinate: q'' + 2 ζ ω q' + ω^2 q = f / m. */
+static void write_second_order(TinkerPage *page, const TinkerMatrixIsland *island)
+{
+    const double omega = island->omega[0], zeta = island->zeta[0];
+    const char *times = tinker_typeset_sign(page->format, '*'), *plus = tinker_typeset_sign(page->format, '+');
+    if (!(omega > 0) || isnan(zeta)) return;
+    GString *sum = g_string_new(NULL);
+    g_autofree char *q = coordinate(page, island, 0, 0), *speed = coordinate(page, island, 0, 1);
+    g_autofree char *acceleration = coordinate(page, island, 0, 2), *square = squared(page, "ω", "0");
+    g_autofree char *ratio = named(page, "ζ", ""), *natural = named(page, "ω", "0");
+    g_autoptr(TinkerExpression) two = tinker_expression_number(2);
+    g_autofree char *number = tinker_page_expression(page, two);
+    g_string_append(sum, acceleration);
+    if (fabs(zeta) >= ROUNDING)
+        g_string_append_printf(sum, "%s%s%s%s%s%s%s%s", plus, number, times, ratio, times, natural, times, speed);
+    g_string_append_printf(sum, "%s%s%s%s", plus, square, times, q);
+    g_autoptr(TinkerExpression) load =
+        tinker_expression_over(tinker_expression_ref(g_ptr_array_index(island->load, 0)),
+                               tinker_expression_ref(g_ptr_array_index(island->mass, 0)));
+    tinker_page_equation(page, g_string_free(sum, FALSE), tinker_page_expression(page, load), NULL);
+}
+
+static void write_roots(TinkerPage *page, const TinkerMatrixIsland *island)
+{
+    static const TinkerDimension pure = {0, 0, 0, 0}, rate = {0, 0, -1, 0};
+    const guint n = island->coordinates->len;
+    if (n == 1) write_second_order(page, island);
+    for (guint i = 0; i < n; i++) {
+        g_autofree char *index = n == 1 ? g_strdup("0") : g_strdup_printf("%u", i + 1);
+        const double omega = island->omega[i], zeta = fabs(island->zeta[i]) < ROUNDING ? 0 : island->zeta[i];
+        if (isnan(omega)) {
+            tinker_page_equation(
+                page, named(page, "s", index),
+                tinker_page_quantity(page, fmax(island->unstable[2 * i], island->unstable[2 * i + 1]), rate),
+                g_strdup(_("it is not stable: so fast it leaves its rest")));
+            continue;
+        }
+        tinker_page_equation(page, named(page, "ω", index), tinker_page_quantity(page, omega, frequency),
+                             g_strdup(omega > 0 ? _("natural frequency") : _("nothing brings it back")));
+        if (!isnan(zeta))
+            tinker_page_equation(page, named(page, "ζ", n == 1 ? "" : index), tinker_page_quantity(page, zeta, pure),
+                                 g_strdup(zeta == 0  ? _("damping ratio: none")
+                                          : zeta < 1 ? _("damping ratio: its swings die away")
+                                                     : _("damping ratio: it creeps back")));
+        if (!isnan(zeta) && fabs(zeta) < 1)
+            tinker_page_equation(page, named(page, "τ", n == 1 ? "" : index),
+                                 tinker_page_quantity(page, 2 * G_PI / (omega * sqrt(1 - zeta * zeta)), seconds),
+                                 g_strdup(_("period")));
+    }
+}
+
+/* Of a matrix too large to be written: how many entries it has, and how far they are from its diagonal. */
+static void write_pattern(TinkerPage *page, const char *name, const GPtrArray *entries, guint n)
+{
+    guint count = 0, band = 0;
+    for (guint i = 0; i < n; i++)
+        for (guint k = 0; k < n; k++) {
+            if (tinker_expression_is_number(g_ptr_array_index(entries, i * n + k), 0)) continue;
+            count++;
+            band = MAX(band, i > k ? i - k : k - i);
+        }
+    g_autofree char *text =
+        count == 0 ? g_strdup_printf(_("%s is 0"), name)
+        : band == 0
+            ? g_strdup_printf(_("%s is diagonal, with %u entries"), name, count)
+            : g_strdup_printf(_("%s has %u entries, none farther than %u from the diagonal"), name, count, band);
+    tinker_page_heading(page, text);
+}
+
+static void write_patterns(TinkerPage *page, const TinkerMatrixIsland *island)
+{
+    write_pattern(page, "M", island->mass, island->coordinates->len);
+    write_pattern(page, "C", island->damping, island->coordinates->len);
+    write_pattern(page, "K", island->stiffness, island->coordinates->len);
+}
+
+static void write_island(TinkerPage *page, const TinkerMatrixIsland *island)
+{
+    const guint n = island->coordinates->len;
+    g_autoptr(GString) heading = g_string_new(NULL);
+    for (guint i = 0; i < n; i++) {
+        const char *name = tinker_scene_block_name(page->equations->scene, coordinate_at(island, i)->body);
+        if (i > 0 && coordinate_at(island, i)->body == coordinate_at(island, i - 1)->body) continue;
+        if (i < MOST_WRITTEN) g_string_append_printf(heading, "%s%s", heading->len > 0 ? ", " : "", name);
+    }
+    if (n > MOST_WRITTEN) g_string_append_printf(heading, _(", ...: %u coordinates (the JSON has the matrices)"), n);
+    tinker_page_heading(page, heading->str);
+    if (n > MOST_WRITTEN) {
+        write_patterns(page, island);
+        return;
+    }
+    for (guint i = 0; i < n; i++)
+        write_row(page, island, i);
+    tinker_page_gap(page);
+    for (guint i = 0; i < n; i++)
+        write_coordinate(page, island, i);
+    tinker_page_gap(page);
+    write_roots(page, island);
+}
+
+/* What the symbols of all islands stand for. */
+static void write_names(TinkerPage *page, const TinkerMatrixForm *form)
+{
+    g_autoptr(GHashTable) needed = g_hash_table_new(g_str_hash, g_str_equal);
+    for (guint i = 0; i < form->islands->len; i++) {
+        const TinkerMatrixIsland *island = g_ptr_array_index(form->islands, i);
+        const GPtrArray *const lists[] = {island->mass, island->damping, island->stiffness, island->load};
+        if (island->coordinates->len > MOST_WRITTEN) continue;
+        for (guint k = 0; k < island->coordinates->len; k++)
+            tinker_equations_mark(page->equations, coordinate_at(island, k)->is, needed);
+        for (gsize k = 0; k < G_N_ELEMENTS(lists); k++)
+            for (guint e = 0; e < lists[k]->len; e++)
+                tinker_equations_mark(page->equations, g_ptr_array_index(lists[k], e), needed);
+    }
+    tinker_page_names(page, needed);
+}
+
+void tinker_equations_put_matrix(TinkerPage *page, const TinkerMatrixForm *form, const TinkerEquationsShown *shown)
+{
+    for (guint i = 0; i < form->islands->len; i++)
+        write_island(page, g_ptr_array_index(form->islands, i));
+    write_names(page, form);
+    for (guint i = 0; i < form->why->len; i++) {
+        const TinkerNotWritten *reason = g_ptr_array_index(form->why, i);
+        g_autofree char *heading = g_strdup_printf(
+            _("%s has no such equations: %s"),
+            reason->block >= 0 ? tinker_scene_block_name(page->equations->scene, reason->block) : _("it"),
+            tinker_page_words(reason->why));
+        tinker_page_heading(page, heading);
+    }
+}
+
+char *tinker_equations_write_matrix(const TinkerEquations *equations, const TinkerMatrixForm *form,
+                                    const TinkerEquationsShown *shown)
+{
+    TinkerPage page;
+    tinker_page_begin(&page, shown->format, equations, shown->title);
+    tinker_equations_put_matrix(&page, form, shown);
+    return tinker_page_end(&page);
+}

@@ -1,0 +1,28 @@
+/* Equations for people: a text for the terminal, a document of LaTeX, a page with MathML. */
+#ifndef TINKER_CORE_EQUATIONS_WRITE_H
+#define TINKER_CORE_EQUATIONS_WRITE_H
+
+#include "equations/angles/angles.h"
+#include "equations/matrix/matrix.h"
+#include "equations/newton/equations.h"
+
+typedef struct {
+    TinkerTypesetFormat format;
+    const char *title;
+    const TinkerBlockId *blocks; /* of bodies that are shown, ended by -1; NULL: all */
+    gboolean values;             /* with the numbers at the time */
+} TinkerEquationsShown;
+
+/* Newton's equations: of each body, with the laws of its terms, constraints, and what the symbols stand for. (transfer
+ * full) */
+char *tinker_equations_write(const TinkerEquations *equations, const TinkerEquationsShown *shown);
+
+/* Linear islands with their matrices; of one coordinate as the textbook has it, with its frequency. (transfer full) */
+char *tinker_equations_write_matrix(const TinkerEquations *equations, const TinkerMatrixForm *form,
+                                    const TinkerEquationsShown *shown);
+
+/* Trees of rods in their angles. (transfer full) */
+char *tinker_equations_write_angles(const TinkerEquations *equations, const TinkerAngleForm *form,
+                                    const TinkerEquationsShown *shown);
+
+#endif
