@@ -9,7 +9,7 @@
 #include <tinker/shapes.h>
 
 #include "scene/frame/frame.h"
-#include "units/point-text.h"
+#include "units/quantity/point-text.h"
 
 typedef struct {
     TinkerHistory *history;

@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "law/build.h"
-#include "units/waveform.h"
+#include "units/waveform/waveform.h"
 
 static const TinkerDimension length = {0, 1, 0, 0}, velocity = {0, 1, -1, 0}, seconds = {0, 0, 1, 0},
                              kilograms = {1, 0, 0, 0}, angle = {0, 0, 0, 1}, angular_velocity = {0, 0, -1, 1},

@@ -4,7 +4,7 @@
 
 #include "law/typed-law.h"
 #include "plugin/catalogue/catalogue.h"
-#include "units/expression-tree.h"
+#include "units/expression/expression-tree.h"
 
 typedef enum {
     TINKER_LAW_LINE,

@@ -3,7 +3,7 @@
 #ifndef TINKER_CORE_LAW_BUILD_H
 #define TINKER_CORE_LAW_BUILD_H
 
-#include "units/expression-tree.h"
+#include "units/expression/expression-tree.h"
 
 TinkerExpression *tinker_expression_plus(TinkerExpression *a, TinkerExpression *b);
 TinkerExpression *tinker_expression_minus(TinkerExpression *a, TinkerExpression *b);

@@ -2,7 +2,7 @@
 #ifndef TINKER_CORE_LAW_COLLECT_H
 #define TINKER_CORE_LAW_COLLECT_H
 
-#include "units/expression-tree.h"
+#include "units/expression/expression-tree.h"
 
 /* Whether a factor is kept apart: terms are put together whose such factors are the same. */
 typedef gboolean (*TinkerApartFunc)(const TinkerExpression *factor, void *data);

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "units/units.h"
+#include "units/quantity/units.h"
 
 typedef struct {
     TinkerDimensionFunc of_symbol;

@@ -2,7 +2,7 @@
 #ifndef TINKER_CORE_LAW_DIMENSION_H
 #define TINKER_CORE_LAW_DIMENSION_H
 
-#include "units/expression-tree.h"
+#include "units/expression/expression-tree.h"
 
 #include <tinker/types.h>
 

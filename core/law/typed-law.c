@@ -5,9 +5,9 @@
 
 #include "law/derivative.h"
 #include "law/dimension.h"
-#include "units/compiled.h"
-#include "units/units.h"
-#include "units/waveform.h"
+#include "units/compiled/compiled.h"
+#include "units/quantity/units.h"
+#include "units/waveform/waveform.h"
 
 gboolean tinker_any_quantity_parse(const char *text, double *si, TinkerDimension *dimension, GError **error)
 {

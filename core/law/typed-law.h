@@ -3,7 +3,7 @@
 #define TINKER_CORE_TYPED_LAW_H
 
 #include "plugin/catalogue/catalogue.h"
-#include "units/compiled.h"
+#include "units/compiled/compiled.h"
 
 /* The text of one of the block's properties; "" where it is empty. Borrowed. */
 typedef const char *(*TinkerTypedLawTextFunc)(int32_t property, void *data);

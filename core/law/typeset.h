@@ -2,7 +2,7 @@
 #ifndef TINKER_CORE_LAW_TYPESET_H
 #define TINKER_CORE_LAW_TYPESET_H
 
-#include "units/expression-tree.h"
+#include "units/expression/expression-tree.h"
 
 typedef enum {
     TINKER_TYPESET_TEXT,

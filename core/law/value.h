@@ -2,7 +2,7 @@
 #ifndef TINKER_CORE_LAW_VALUE_H
 #define TINKER_CORE_LAW_VALUE_H
 
-#include "units/expression-tree.h"
+#include "units/expression/expression-tree.h"
 
 typedef double (*TinkerValueFunc)(const char *symbol, void *data);
 

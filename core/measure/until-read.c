@@ -4,7 +4,7 @@
 #include "measure/until-private.h"
 #include "physics/record/columns.h"
 #include "scene/store/conditions.h"
-#include "units/expression-tree.h"
+#include "units/expression/expression-tree.h"
 
 static void clear_condition(gpointer data)
 {

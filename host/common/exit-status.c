@@ -9,8 +9,8 @@
 #include "plugin/catalogue/catalogue.h"
 #include "print.h"
 #include "scene/store/scene.h"
-#include "units/units.h"
-#include "units/waveform.h"
+#include "units/quantity/units.h"
+#include "units/waveform/waveform.h"
 
 #define ANY_CODE (-1)
 

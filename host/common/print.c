@@ -3,7 +3,7 @@
 
 #include <stdarg.h>
 
-#include "units/plain-text.h"
+#include "units/quantity/plain-text.h"
 
 void tinker_print_line(FILE *file, const char *format, ...)
 {

@@ -1,5 +1,5 @@
-/* The one way in which the programs write text for people: with control characters escaped (units/plain-text.h),
- * whatever file, plugin or argument it comes from. */
+/* The one way in which the programs write text for people: with control characters escaped
+ * (units/quantity/plain-text.h), whatever file, plugin or argument it comes from. */
 #ifndef TINKER_HOST_PRINT_H
 #define TINKER_HOST_PRINT_H
 

@@ -14,7 +14,7 @@
 #include "physics/plan/run-options.h"
 #include "physics/run/simulation.h"
 #include "scene/read/scene-json.h"
-#include "units/waveform.h"
+#include "units/waveform/waveform.h"
 
 #define ROWS 1000
 

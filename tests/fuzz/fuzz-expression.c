@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "fuzz-target.h"
-#include "units/waveform.h"
+#include "units/waveform/waveform.h"
 
 static const double times[] = {0, 1e-300, 0.3, 1, 3.5, 1e3, 1e9, -2};
 

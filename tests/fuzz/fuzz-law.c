@@ -6,7 +6,7 @@
 #include "law/derivative.h"
 #include "law/typeset.h"
 #include "law/value.h"
-#include "units/compiled.h"
+#include "units/compiled/compiled.h"
 
 #define NAMES  3
 #define PLACES 9

@@ -5,7 +5,7 @@
 #include <unistd.h>
 
 #include "fuzz-target.h"
-#include "units/waveform.h"
+#include "units/waveform/waveform.h"
 
 /* The bytes as a file; its path. (transfer full) */
 static char *file_of(const uint8_t *data, size_t size)

@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "fuzz-target.h"
-#include "units/units.h"
+#include "units/quantity/units.h"
 
 static const TinkerDimension asked[] = {
     {0}, {.mass = 1}, {.length = 1}, {.time = 1}, {.angle = 1}, {.mass = 1, .length = 1, .time = -2},

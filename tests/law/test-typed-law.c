@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "law/typed-law.h"
-#include "units/compiled.h"
+#include "units/compiled/compiled.h"
 
 static const char *const arguments[] = {"L", "rate", "t"};
 

@@ -60,6 +60,10 @@ typedef struct {
 } Rooms;
 
 static const Rooms folders_with_rooms[] = {
+    {"core/units",
+     {"quantity", "expression", "compiled", "waveform"},
+     {"quantity/units.h", "quantity/plain-text.h", "quantity/point-text.h", "expression/expression-tree.h",
+      "compiled/compiled.h", "waveform/table-columns.h", "waveform/waveform.h", "waveform/waveform-pole.h"}},
     {"core/scene",
      {"json", "store", "value", "frame", "change", "read", "write", "history"},
      {"store/scene.h",         "store/conditions.h",   "store/quantities.h",     "store/scene-expression.h",

@@ -2,7 +2,7 @@
 #ifndef EVALUATOR_HELPER_H
 #define EVALUATOR_HELPER_H
 
-#include "units/waveform.h"
+#include "units/waveform/waveform.h"
 
 static inline TinkerWaveformEvaluator *evaluator_of(const char *text)
 {

@@ -2,7 +2,7 @@
 #include <glib.h>
 #include <string.h>
 
-#include "units/plain-text.h"
+#include "units/quantity/plain-text.h"
 
 static void test_escapes(void)
 {

@@ -2,7 +2,7 @@
 #include <glib.h>
 #include <math.h>
 
-#include "units/waveform-pole.h"
+#include "units/waveform/waveform-pole.h"
 
 typedef struct {
     const char *text;

@@ -5,7 +5,7 @@
 
 #include <glib/gstdio.h>
 
-#include "units/waveform.h"
+#include "units/waveform/waveform.h"
 
 static TinkerWaveformEvaluator *evaluator_of(const double *times, const double *values, gsize rows,
                                              TinkerTableKind kind, gboolean smooth)

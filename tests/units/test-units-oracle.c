@@ -2,7 +2,7 @@
  * and rpm (its hertz is a plain 1/s), g0 (its name is standard_gravity), and its slug is rounded to 2e-7. */
 #include <udunits2.h>
 
-#include "units/units.h"
+#include "units/quantity/units.h"
 
 static void test_factors(void)
 {

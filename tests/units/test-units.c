@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "units/units.h"
+#include "units/quantity/units.h"
 
 static const TinkerDimension mass = {1, 0, 0, 0}, length = {0, 1, 0, 0}, angle = {0, 0, 0, 1};
 static const TinkerDimension plain = {0, 0, 0, 0}, stiffness = {1, 0, -2, 0}, turning = {0, 0, -1, 1};

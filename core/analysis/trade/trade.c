@@ -8,7 +8,7 @@
 #include "numerics/methods/integrators.h"
 #include "physics/impulse/impulse.h"
 #include "physics/model/model.h"
-#include "units/units.h"
+#include "units/quantity/units.h"
 
 #define REFERENCE_TIME 0.3  /* of the time for measuring: at most */
 #define REFERENCE_WORK 0.15 /* of the progress */

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "law/typed-law.h"
-#include "units/point-text.h"
+#include "units/quantity/point-text.h"
 
 #define MOST_INSTANCES 1024
 #define MOST_ARGUMENTS 2 /* L, or x and y */

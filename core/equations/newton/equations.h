@@ -10,7 +10,7 @@
 
 #include "equations/state/model-state.h"
 #include "law/typeset.h"
-#include "units/expression-tree.h"
+#include "units/expression/expression-tree.h"
 
 typedef enum {
     TINKER_TERM_CONNECTOR,

@@ -5,7 +5,7 @@
 
 #include "equations/write/break-latex.h"
 #include "equations/write/page-private.h"
-#include "units/units.h"
+#include "units/quantity/units.h"
 
 enum { LEFT, RIGHT, COMMENT, PARTS };
 

@@ -1,8 +1,8 @@
 /* No step passes over what a typed law does in a narrow band of time or place, as a short pulse or a thin wall: neither
  * error control nor a companion sees what no evaluation met. Behind a step the law is enclosed along it, an eighth of
- * the step at a time. Where it is not gentle there (units/compiled.h), and may do more than the tolerance lets pass, an
- * adaptive method makes the step again, as far as where that begins. A method with fixed steps goes on, and the run
- * tells what it may have missed. */
+ * the step at a time. Where it is not gentle there (units/compiled/compiled.h), and may do more than the tolerance lets
+ * pass, an adaptive method makes the step again, as far as where that begins. A method with fixed steps goes on, and
+ * the run tells what it may have missed. */
 #ifndef TINKER_CORE_LAW_WATCH_H
 #define TINKER_CORE_LAW_WATCH_H
 

@@ -4,7 +4,7 @@
 #define TINKER_CORE_LAW_PATHS_H
 
 #include "physics/model/model-data.h"
-#include "units/compiled.h"
+#include "units/compiled/compiled.h"
 
 /* What an argument of a law is, by its name. */
 typedef enum {

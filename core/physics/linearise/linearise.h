@@ -43,8 +43,8 @@ typedef struct {
 } TinkerLinearisation;
 
 /* Holds the model still: supports stand where they are at t = 0, and of forces with a waveform acts what is steady
- * (units/waveform.h), for what varies is forcing. Everything below works on a model that is held, and on places
- * relative to its origin. It is not to be run any more: its supports have lost their velocities. */
+ * (units/waveform/waveform.h), for what varies is forcing. Everything below works on a model that is held, and on
+ * places relative to its origin. It is not to be run any more: its supports have lost their velocities. */
 TinkerStatus tinker_model_hold(TinkerModel *model);
 
 /* About these places (by coordinate). NULL with TINKER_MODEL_ERROR_RUN where a force cannot be worked out there.

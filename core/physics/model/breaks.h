@@ -5,8 +5,8 @@
 #include "physics/model/model.h"
 #include "scene/frame/batch.h"
 
-/* The first pole of a waveform (units/waveform-pole.h) in what the last search for a break went through; INFINITY for
- * none. */
+/* The first pole of a waveform (units/waveform/waveform-pole.h) in what the last search for a break went through;
+ * INFINITY for none. */
 double tinker_model_next_pole(const TinkerModel *model, TinkerBlockId *block);
 
 /* Pieces in a row that are so short that a run would never end. */

@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#include "units/compiled.h"
+#include "units/compiled/compiled.h"
 
 #include <tinker/typed-law.h>
 

@@ -2,7 +2,7 @@
 #include "plugin/catalogue/explain-private.h"
 
 #include "plugin/catalogue/entry-private.h"
-#include "units/units.h"
+#include "units/quantity/units.h"
 
 /* The refused library that has the id by its manifest or its file name; else, where nobody can tell, the first that was
  * refused, and `others` tells how many more there are. NULL: none was refused. */

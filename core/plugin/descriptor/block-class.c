@@ -6,7 +6,7 @@
 #include "plugin/descriptor/copy.h"
 #include "plugin/descriptor/text-check.h"
 #include "plugin/trust/refuse.h"
-#include "units/units.h"
+#include "units/quantity/units.h"
 
 static const char *const categories[] = {TINKER_CONNECTABLE, TINKER_CONNECTOR, TINKER_FORCE,
                                          TINKER_MOTION,      TINKER_FIELD,     TINKER_JOINT,

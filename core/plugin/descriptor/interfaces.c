@@ -5,7 +5,7 @@
 #include "plugin/descriptor/copy.h"
 #include "plugin/descriptor/text-check.h"
 #include "plugin/trust/refuse.h"
-#include "units/units.h"
+#include "units/quantity/units.h"
 
 /* The first eight bytes: struct_size and one number. What else is required is said function by function. */
 #define LEAST_HEAD  8

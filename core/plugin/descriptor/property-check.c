@@ -6,7 +6,7 @@
 #include "plugin/descriptor/class-build.h"
 #include "plugin/descriptor/text-check.h"
 #include "plugin/trust/refuse.h"
-#include "units/units.h"
+#include "units/quantity/units.h"
 
 #define MOST_CHOICES 1000
 

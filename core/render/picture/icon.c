@@ -9,7 +9,7 @@
 
 #include "render/draw/draw-watch.h"
 #include "render/picture/painter-private.h"
-#include "units/point-text.h"
+#include "units/quantity/point-text.h"
 
 #define MARGIN          0.06 /* of the lesser side */
 #define SYMBOL_SHARE    0.42 /* of the lesser side: symbols, unless they do not fit */

@@ -6,7 +6,7 @@
 
 #include "scene/json/text-hash.h"
 #include "scene/store/scene-data.h"
-#include "units/plain-text.h"
+#include "units/quantity/plain-text.h"
 
 /* Names -------------------------------------------------------------------------------------------------------- */
 

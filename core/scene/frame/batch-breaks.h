@@ -7,7 +7,7 @@
 /* The block whose break tinker_block_batch_next_break found. */
 int32_t tinker_block_batch_break_row(const TinkerBlockBatch *batch);
 
-/* The first pole (units/waveform-pole.h) in what it searched, and the block whose it is; INFINITY for none. */
+/* The first pole (units/waveform/waveform-pole.h) in what it searched, and the block whose it is; INFINITY for none. */
 double tinker_block_batch_next_pole(const TinkerBlockBatch *batch, int32_t *row);
 
 #endif

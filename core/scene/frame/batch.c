@@ -4,12 +4,12 @@
 
 #include <math.h>
 
-#include "units/waveform-pole.h"
+#include "units/waveform/waveform-pole.h"
 
 #include "law/typed-law.h"
 #include "plugin/call/guarded.h"
 #include "plugin/call/words.h"
-#include "units/point-text.h"
+#include "units/quantity/point-text.h"
 
 /* No break of a waveform lies between `from` and `next`, and none up to `horizon` where next is infinite; the first
  * pole there, INFINITY for none. */

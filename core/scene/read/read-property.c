@@ -2,8 +2,8 @@
 #include "scene/value/reader.h"
 
 #include "law/typed-law.h"
-#include "units/point-text.h"
-#include "units/units.h"
+#include "units/quantity/point-text.h"
+#include "units/quantity/units.h"
 
 /* A plain number is in radians; one of more turns than anybody writes was likely meant in degrees. */
 #define MOST_TURNS 2.0

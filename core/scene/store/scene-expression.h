@@ -5,7 +5,7 @@
 #define TINKER_CORE_SCENE_EXPRESSION_H
 
 #include "scene/store/quantities.h"
-#include "units/expression-tree.h"
+#include "units/expression/expression-tree.h"
 
 /* What stands in one pair of braces. */
 typedef struct {

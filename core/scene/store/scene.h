@@ -9,8 +9,8 @@
 #include <glib.h>
 
 #include "plugin/catalogue/catalogue.h"
-#include "units/units.h"
-#include "units/waveform.h"
+#include "units/quantity/units.h"
+#include "units/waveform/waveform.h"
 
 typedef int32_t TinkerBlockId;
 #define TINKER_NO_BLOCK (-1)

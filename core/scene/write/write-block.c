@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "scene/write/writer.h"
-#include "units/point-text.h"
+#include "units/quantity/point-text.h"
 
 /* Values ------------------------------------------------------------------------------------------------------- */
 

@@ -7,7 +7,7 @@
 
 #include "files/replace-file.h"
 #include "scene/write/writer.h"
-#include "units/plain-text.h"
+#include "units/quantity/plain-text.h"
 
 static const TinkerDimension no_dimension = {0};
 

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "exit-status.h"
-#include "units/units.h"
+#include "units/quantity/units.h"
 
 void tinker_command_line_clear(TinkerCommandLine *line)
 {

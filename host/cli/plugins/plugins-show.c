@@ -8,7 +8,7 @@
 #include "print.h"
 #include "scene/frame/tops.h"
 #include "scene/store/quantities.h"
-#include "units/units.h"
+#include "units/quantity/units.h"
 
 static const char *kind_name(int32_t kind)
 {

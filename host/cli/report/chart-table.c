@@ -6,7 +6,7 @@
 
 #include "cli/report/chart-private.h"
 #include "exit-status.h"
-#include "units/table-columns.h"
+#include "units/waveform/table-columns.h"
 
 /* The fields of a line of CSV. (transfer full) */
 static GPtrArray *split(const char *line)

@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#include "units/table-columns.h"
+#include "units/waveform/table-columns.h"
 
 #include "cli/command/output.h"
 #include "exit-status.h"

@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#include "units/units.h"
+#include "units/quantity/units.h"
 
 #define MOST_GATHERED 65536
 #define LONGEST_WAIT  (G_USEC_PER_SEC / 5)

@@ -5,7 +5,7 @@
 #include <math.h>
 
 #include "cli/report/scene-json.h"
-#include "units/units.h"
+#include "units/quantity/units.h"
 
 static cJSON *expression_json(const TinkerExpression *expression)
 {

@@ -1,7 +1,7 @@
 /* Tables for people. Widths count characters, not bytes. */
 #include "cli/report/text-table.h"
 #include "print.h"
-#include "units/plain-text.h"
+#include "units/quantity/plain-text.h"
 
 #include <stdarg.h>
 #include <string.h>

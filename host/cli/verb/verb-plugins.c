@@ -16,7 +16,7 @@
 #include "files/replace-file.h"
 #include "numerics/methods/integrators.h"
 #include "print.h"
-#include "units/units.h"
+#include "units/quantity/units.h"
 
 #define LIST_HELP                                                                                                      \
     "Lists the installed blocks by plugin: type, title, category, version and licence, the\n"                          \

@@ -8,7 +8,7 @@
 #include "gui/document/status-text.h"
 #include "gui/widget/unparent.h"
 #include "trade-words.h"
-#include "units/units.h"
+#include "units/quantity/units.h"
 
 /* Rows ----------------------------------------------------------------------------------------------------------------
  */

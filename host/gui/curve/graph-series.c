@@ -8,7 +8,7 @@
 
 #include "measure/spectrum.h"
 #include "physics/record/columns.h"
-#include "units/table-columns.h"
+#include "units/waveform/table-columns.h"
 
 #define GROWTH 1.2 /* by so much has a record to have grown before its spectrum is worked out anew */
 

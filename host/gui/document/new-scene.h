@@ -3,7 +3,7 @@
 #define TINKER_GUI_NEW_SCENE_H
 
 #include "gui/document/document.h"
-#include "units/units.h"
+#include "units/quantity/units.h"
 
 typedef struct {
     TinkerUnitSystem units;

@@ -6,7 +6,7 @@
 #include <glib/gi18n.h>
 
 #include "gui/text/translate.h"
-#include "units/units.h"
+#include "units/quantity/units.h"
 
 #define FEW 6 /* quantities that are all seen at once */
 

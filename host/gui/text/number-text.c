@@ -9,7 +9,7 @@
 #include <string.h>
 
 #include "law/value.h"
-#include "units/expression-tree.h"
+#include "units/expression/expression-tree.h"
 
 #define DECIMALS 5
 

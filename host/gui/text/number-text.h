@@ -4,7 +4,7 @@
 
 #include <glib.h>
 
-#include "units/units.h"
+#include "units/quantity/units.h"
 
 /* Reads a quantity with any unit that fits; a bare number is in `unit` ("" for none). In the place of the number a
  * formula may stand, in the grammar of expressions and without t: "2*9.81", "sqrt(2) m". Where the locale writes a

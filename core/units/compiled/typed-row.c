@@ -1,0 +1,170 @@
+/* Laws of many instances: those that differ in their numbers alone stand in rows, with the numbers beside one another,
+ * so that they are worked out together. */
+#include <string.h>
+
+#include "units/compiled/compiled.h"
+
+#define LEAST_TOGETHER 8 /* fewer are worked out one by one, which is faster */
+
+struct _TinkerTypedRow {
+    int users, count;
+    TinkerTypedLaw **place; /* where they are told of: that of member i at i * stride. Borrowed, and perhaps gone */
+    int stride;
+    int programs;     /* of each member: the value, the slopes, the curvatures */
+    double **numbers; /* by program; of each by number, then by member */
+    struct TinkerTypedLaw member[];
+};
+
+static int programs_of(const TinkerTypedLaw *law)
+{
+    return 1 + law->count + law->count * law->count;
+}
+
+static const TinkerCompiled *program_at(const TinkerTypedLaw *law, int which)
+{
+    if (which == 0) return law->value;
+    return which <= law->count ? law->slopes[which - 1] : law->curvatures[which - 1 - law->count];
+}
+
+static gboolean are_alike(const TinkerTypedLaw *a, const TinkerTypedLaw *b)
+{
+    if (a->count != b->count) return FALSE;
+    for (int which = 0; which < programs_of(a); which++)
+        if (!tinker_compiled_alike(program_at(a, which), program_at(b, which))) return FALSE;
+    return TRUE;
+}
+
+static double *numbers_of(const TinkerTypedRow *row, int which)
+{
+    int count;
+    tinker_compiled_numbers(program_at(row->member, which), &count);
+    double *numbers = g_new(double, (gsize)MAX(count, 1) * (gsize)row->count);
+    for (int member = 0; member < row->count; member++) {
+        const double *own = tinker_compiled_numbers(program_at(&row->member[member], which), &count);
+        for (int i = 0; i < count; i++)
+            numbers[i * row->count + member] = own[i];
+    }
+    return numbers;
+}
+
+static void put_into_row(TinkerTypedLaw **laws, int stride, int count)
+{
+    TinkerTypedRow *row = g_malloc(sizeof *row + (gsize)count * sizeof(TinkerTypedLaw));
+    row->users = row->count = count;
+    row->place = laws;
+    row->stride = stride;
+    row->programs = programs_of(laws[0]);
+    for (int i = 0; i < count; i++) {
+        row->member[i] = *laws[i * stride];
+        row->member[i].row = row;
+        g_free(laws[i * stride]);
+        laws[i * stride] = &row->member[i];
+    }
+    row->numbers = g_new(double *, (gsize)row->programs);
+    for (int which = 0; which < row->programs; which++)
+        row->numbers[which] = numbers_of(row, which);
+}
+
+void tinker_typed_join(TinkerTypedLaw **laws, int stride, int count)
+{
+    for (int first = 0, end; first < count; first = end) {
+        end = first + 1;
+        if (laws[first * stride] == NULL) continue;
+        while (end < count && laws[end * stride] != NULL && are_alike(laws[first * stride], laws[end * stride]))
+            end++;
+        if (end - first >= LEAST_TOGETHER) put_into_row(laws + first * stride, stride, end - first);
+    }
+}
+
+static void free_row(TinkerTypedRow *row)
+{
+    if (--row->users > 0) return;
+    for (int which = 0; which < row->programs; which++)
+        g_free(row->numbers[which]);
+    g_free(row->numbers);
+    g_free(row);
+}
+
+void tinker_typed_free(TinkerTypedLaw *law)
+{
+    if (law == NULL) return;
+    tinker_compiled_free(law->value);
+    for (int i = 0; i < law->count; i++)
+        tinker_compiled_free(law->slopes[i]);
+    for (int i = 0; i < law->count * law->count; i++)
+        tinker_compiled_free(law->curvatures[i]);
+    g_free(law->slopes);
+    g_free(law->curvatures);
+    if (law->row != NULL)
+        free_row(law->row);
+    else
+        g_free(law);
+}
+
+/* How many from `first` on stand in a row as they are told of, or are one law, which `one` says. */
+static int run_of(const TinkerTypedQuestion *question, int first, gboolean *one)
+{
+    const TinkerTypedLaw *const *laws = question->laws + (gsize)first * (gsize)question->stride;
+    const TinkerTypedLaw *law = laws[0];
+    const TinkerTypedRow *row = law->row;
+    const int left = question->count - first, stride = question->stride;
+    *one = stride == 0 || row == NULL;
+    if (stride == 0) return left;
+    if (row != NULL) {
+        const gssize member = law - row->member;
+        const TinkerTypedLaw *const *place = (const TinkerTypedLaw *const *)row->place + member * stride;
+        return row->stride == stride && place == laws ? MIN(left, row->count - (int)member) : 1;
+    }
+    int count = 1;
+    while (count < left && laws[count * stride] == law)
+        count++;
+    return count;
+}
+
+static gboolean ask_together(const TinkerTypedQuestion *question, int first, int count, gboolean one, int which,
+                             double *results)
+{
+    const TinkerTypedLaw *law = question->laws[(gsize)first * (gsize)question->stride];
+    if (count < LEAST_TOGETHER) return FALSE;
+    TinkerColumns columns = {
+        .count = count, .first = first, .arguments = question->arguments, .uniform = question->uniform};
+    if (!one) {
+        columns.numbers = law->row->numbers[which] + (law - law->row->member);
+        columns.stride = law->row->count;
+    }
+    return tinker_compiled_values(program_at(law, which), &columns, results + first);
+}
+
+static void ask_one_by_one(const TinkerTypedQuestion *question, int first, int count, int which, double *results)
+{
+    double at[TINKER_TYPED_MOST_ARGUMENTS];
+    for (int i = first; i < first + count; i++) {
+        const TinkerTypedLaw *law = question->laws[(gsize)i * (gsize)question->stride];
+        for (int k = 0; k < law->count; k++)
+            at[k] = question->arguments[k] != NULL ? question->arguments[k][i] : question->uniform[k];
+        results[i] = tinker_compiled_value(program_at(law, which), at);
+    }
+}
+
+/* The first from `first` on that has a law. */
+static int next_law(const TinkerTypedQuestion *question, int first)
+{
+    const TinkerTypedLaw *const *law = question->laws + (gssize)first * question->stride;
+    for (; first < question->count && *law == NULL; first++)
+        law += question->stride;
+    return first;
+}
+
+void tinker_typed_ask(const TinkerTypedQuestion *question, int by, int and_by, double *results)
+{
+    int first = next_law(question, 0);
+    while (first < question->count) {
+        const TinkerTypedLaw *law = question->laws[(gssize)first * question->stride];
+        const int which = by < 0 ? 0 : and_by < 0 ? 1 + by : 1 + law->count + by * law->count + and_by;
+        gboolean one;
+        const int count = run_of(question, first, &one);
+        if (!ask_together(question, first, count, one, which, results))
+            ask_one_by_one(question, first, count, which, results);
+        first = next_law(question, first + count);
+    }
+}

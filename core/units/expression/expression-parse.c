@@ -1,0 +1,380 @@
+/* Reading an expression's text: a recursive descent over
+ *     comparison = sum [ ("<" | "<=" | ">" | ">=" | "==" | "!=") sum ]
+ *     sum        = product { ("+" | "-") product }
+ *     product    = unary { ("*" | "/") unary }
+ *     unary      = ("+" | "-") unary | power
+ *     power      = primary [ "^" unary ]
+ *     primary    = number | name | "{" quantity "}" | "t" | "pi" | function "(" comparison { "," comparison } ")" | "("
+ * comparison ")" What is made of it, instructions or a tree, is the reader's affair. Depth and length are limited, so
+ * no text can exhaust the stack or the memory. */
+#include <math.h>
+#include <string.h>
+
+#include "units/expression/expression-program.h"
+#include "units/expression/waveform-error.h"
+#include "units/quantity/units.h"
+
+#define PI           3.14159265358979323846
+#define LONGEST_TEXT 65536 /* bytes */
+#define DEEPEST      200   /* levels of brackets, signs and powers */
+#define LONGEST_NAME 32
+
+typedef struct {
+    const char *text;
+    const char *at;
+    const TinkerReader *reader;
+    void *into;
+    const char *const *names;  /* that the text may use beside t, pi and functions; NULL: none */
+    TinkerReferenceFunc refer; /* says what may stand in braces; NULL: nothing */
+    void *data;
+    int depth;
+    GError **error;
+} Parser;
+
+static int parse_comparison(Parser *parser);
+static int parse_unary(Parser *parser);
+
+/* Every parse function answers the reader's handle of the value, or FAILED with the error set. */
+#define FAILED TINKER_READER_FAILED
+
+static glong column_of(const Parser *parser, const char *place)
+{
+    return g_utf8_pointer_to_offset(parser->text, place) + 1;
+}
+
+G_GNUC_PRINTF(4, 5)
+static int fail(Parser *parser, TinkerWaveformError code, const char *place, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    g_autofree char *message = g_strdup_vprintf(format, arguments);
+    va_end(arguments);
+    g_set_error(parser->error, TINKER_WAVEFORM_ERROR, code, "column %ld: %s", column_of(parser, place), message);
+    return FAILED;
+}
+
+static void skip_blanks(Parser *parser)
+{
+    while (*parser->at == ' ' || *parser->at == '\t' || *parser->at == '\n' || *parser->at == '\r')
+        parser->at++;
+}
+
+static gboolean accept(Parser *parser, const char *sign)
+{
+    skip_blanks(parser);
+    if (!g_str_has_prefix(parser->at, sign)) return FALSE;
+    parser->at += strlen(sign);
+    return TRUE;
+}
+
+static gboolean is_of_name(gunichar c)
+{
+    return c == '_' || (c < 128 ? g_ascii_isalnum((char)c) : g_unichar_isalpha(c));
+}
+
+static gsize name_length(const char *at)
+{
+    const char *end = at;
+    while (is_of_name(g_utf8_get_char(end)))
+        end = g_utf8_next_char(end);
+    return (gsize)(end - at);
+}
+
+/* What stands at `at`, quoted for a message: a name, a number, a character, or "the end". (transfer full) */
+static char *quote(const char *at)
+{
+    if (*at == '\0') return g_strdup("the end");
+    gsize length = name_length(at);
+    if (length == 0) length = (gsize)(g_utf8_next_char(at) - at);
+    return g_strdup_printf("\"%.*s%s\"", (int)MIN(length, LONGEST_NAME), at, length > LONGEST_NAME ? "..." : "");
+}
+
+/* Something stands where none of the grammar's signs can: says what was probably meant. */
+static int fail_unexpected(Parser *parser, const char *expected)
+{
+    static const struct {
+        const char *written, *meant;
+    } signs[] = {{"−", "-"},  {"–", "-"},  {"×", "*"},  {"·", "*"},         {"÷", "/"},         {"≤", "<="},
+                 {"≥", ">="}, {"≠", "!="}, {"=", "=="}, {"%", "mod(a, b)"}, {"&", "a product"}, {"|", "max(a, b)"}};
+    skip_blanks(parser);
+    g_autofree char *found = quote(parser->at);
+    for (gsize i = 0; i < G_N_ELEMENTS(signs); i++)
+        if (g_str_has_prefix(parser->at, signs[i].written))
+            return fail(parser, TINKER_WAVEFORM_ERROR_SYNTAX, parser->at, "%s is not known; did you mean %s?", found,
+                        signs[i].meant);
+    return fail(parser, TINKER_WAVEFORM_ERROR_SYNTAX, parser->at, "%s is expected, not %s", expected, found);
+}
+
+static gboolean enter(Parser *parser)
+{
+    if (++parser->depth > DEEPEST) {
+        fail(parser, TINKER_WAVEFORM_ERROR_SYNTAX, parser->at, "nested more than %d levels deep", DEEPEST);
+        return FALSE;
+    }
+    if (parser->reader->has_room(parser->into)) return TRUE;
+    fail(parser, TINKER_WAVEFORM_ERROR_SYNTAX, parser->at, "the expression is too long");
+    return FALSE;
+}
+
+static int parse_number(Parser *parser)
+{
+    const char *start = parser->at;
+    const char *end = start;
+    while (g_ascii_isdigit(*end) || *end == '.')
+        end++;
+    if ((*end == 'e' || *end == 'E') && strspn(end + 1, "+-") <= 1 && g_ascii_isdigit(end[1 + strspn(end + 1, "+-")]))
+        end += 1 + strspn(end + 1, "+-");
+    while (g_ascii_isdigit(*end))
+        end++;
+    char *read;
+    g_autofree char *digits = g_strndup(start, (gsize)(end - start));
+    const double number = g_ascii_strtod(digits, &read);
+    if (*read != '\0' || strcmp(digits, ".") == 0) {
+        parser->at = start + (read - digits);
+        return fail_unexpected(parser, "a number such as 1.5");
+    }
+    if (!isfinite(number))
+        return fail(parser, TINKER_WAVEFORM_ERROR_SYNTAX, start, "the number is larger than 1.8e308");
+    parser->at = end;
+    return parser->reader->number(parser->into, number);
+}
+
+static int fail_name(Parser *parser, const char *start, const char *name)
+{
+    g_autoptr(GPtrArray) candidates = g_ptr_array_new();
+    g_autoptr(GString) all = g_string_new("t, pi");
+    g_ptr_array_add(candidates, (gpointer) "t");
+    g_ptr_array_add(candidates, (gpointer) "pi");
+    for (const char *const *each = parser->names; each != NULL && *each != NULL; each++) {
+        g_ptr_array_add(candidates, (gpointer)*each);
+        g_string_append_printf(all, ", %s", *each);
+    }
+    for (const TinkerFunction *function = tinker_functions; function->name != NULL; function++) {
+        g_ptr_array_add(candidates, (gpointer)function->name);
+        g_string_append_printf(all, ", %s", function->name);
+    }
+    g_ptr_array_add(candidates, NULL);
+    g_autofree char *quoted = quote(start);
+    const char *nearest = tinker_nearest_word(name, (const char *const *)candidates->pdata);
+    if (nearest != NULL)
+        return fail(parser, TINKER_WAVEFORM_ERROR_UNKNOWN_NAME, start, "unknown name %s; did you mean \"%s\"?", quoted,
+                    nearest);
+    return fail(parser, TINKER_WAVEFORM_ERROR_UNKNOWN_NAME, start, "unknown name %s; known are %s", quoted, all->str);
+}
+
+static int parse_branch(Parser *parser, int truth, gboolean taken)
+{
+    parser->reader->enter_branch(parser->into, truth, taken);
+    const int value = parse_comparison(parser);
+    parser->reader->leave_branch(parser->into);
+    return value;
+}
+
+/* The arguments behind the opening bracket. Those of an `if` stand under guards: what switches in the branch that is
+ * not taken is no break. */
+static gboolean parse_arguments(Parser *parser, const TinkerFunction *function, int arguments[TINKER_MOST_ARGUMENTS])
+{
+    const gboolean conditional = strcmp(function->name, "if") == 0;
+    int count = 0;
+    do {
+        const char *start = parser->at;
+        if (count == function->arguments) {
+            fail(parser, TINKER_WAVEFORM_ERROR_SYNTAX, start, "%s takes %d argument%s: %s", function->name,
+                 function->arguments, function->arguments > 1 ? "s" : "", function->form);
+            return FALSE;
+        }
+        const int value =
+            conditional && count > 0 ? parse_branch(parser, arguments[0], count == 1) : parse_comparison(parser);
+        if (value == FAILED) return FALSE;
+        arguments[count] = conditional && count == 0 ? parser->reader->condition(parser->into, value) : value;
+        count++;
+    } while (accept(parser, ","));
+    if (count < function->arguments && (skip_blanks(parser), *parser->at == ')')) {
+        fail(parser, TINKER_WAVEFORM_ERROR_SYNTAX, parser->at, "%s takes %d arguments: %s", function->name,
+             function->arguments, function->form);
+        return FALSE;
+    }
+    if (accept(parser, ")")) return TRUE;
+    fail_unexpected(parser, "an operator, \",\" or \")\"");
+    return FALSE;
+}
+
+static int parse_call(Parser *parser, const TinkerFunction *function, const char *start)
+{
+    int arguments[TINKER_MOST_ARGUMENTS];
+    if (!accept(parser, "("))
+        return fail(parser, TINKER_WAVEFORM_ERROR_SYNTAX, start, "%s is a function, write %s", function->name,
+                    function->form);
+    if (!parse_arguments(parser, function, arguments)) return FAILED;
+    return parser->reader->function(parser->into, function, arguments);
+}
+
+static int parse_name(Parser *parser)
+{
+    const char *start = parser->at;
+    const gsize length = name_length(start);
+    g_autofree char *name = g_strndup(start, length);
+    parser->at += length;
+    if (parser->names != NULL && g_strv_contains(parser->names, name)) return parser->reader->name(parser->into, name);
+    if (strcmp(name, "t") == 0) return parser->reader->time(parser->into);
+    if (strcmp(name, "pi") == 0) return parser->reader->number(parser->into, PI);
+    const TinkerFunction *function = tinker_function_lookup(name);
+    return function != NULL ? parse_call(parser, function, start) : fail_name(parser, start, name);
+}
+
+/* What stands in braces is a name, whatever it is made of. */
+static int parse_reference(Parser *parser)
+{
+    const char *start = parser->at, *end = strchr(start, '}');
+    g_autofree char *why = NULL;
+    if (parser->refer == NULL)
+        return fail(parser, TINKER_WAVEFORM_ERROR_SYNTAX, start, "quantities in braces are not known here, only t");
+    if (end == NULL) return fail(parser, TINKER_WAVEFORM_ERROR_SYNTAX, start, "\"{\" is not closed (as in {Mass 0.x})");
+    g_autofree char *symbol = g_strndup(start, (gsize)(end + 1 - start));
+    if (!parser->refer(symbol, parser->data, &why))
+        return fail(parser, TINKER_WAVEFORM_ERROR_UNKNOWN_NAME, start, "%s: %s", symbol, why);
+    parser->at = end + 1;
+    return parser->reader->name(parser->into, symbol);
+}
+
+static int parse_primary(Parser *parser)
+{
+    skip_blanks(parser);
+    if (*parser->at == '{') return parse_reference(parser);
+    if (g_ascii_isdigit(*parser->at) || *parser->at == '.') return parse_number(parser);
+    if (g_ascii_isalpha(*parser->at) || *parser->at == '_' || name_length(parser->at) > 0) return parse_name(parser);
+    if (!accept(parser, "(")) return fail_unexpected(parser, "a number, t, a function or \"(\"");
+    const int value = parse_comparison(parser);
+    if (value == FAILED || accept(parser, ")")) return value;
+    return fail_unexpected(parser, "an operator or \")\"");
+}
+
+static int parse_power(Parser *parser)
+{
+    const int base = parse_primary(parser);
+    if (base == FAILED || !accept(parser, "^")) return base;
+    const int exponent = parse_unary(parser);
+    return exponent == FAILED ? FAILED : parser->reader->operation(parser->into, TINKER_OP_POWER, base, exponent);
+}
+
+static int parse_unary(Parser *parser)
+{
+    if (!enter(parser)) return FAILED;
+    int value;
+    if (accept(parser, "-")) {
+        value = parse_unary(parser);
+        if (value != FAILED) value = parser->reader->operation(parser->into, TINKER_OP_NEGATE, value, -1);
+    } else {
+        value = accept(parser, "+") ? parse_unary(parser) : parse_power(parser);
+    }
+    parser->depth--;
+    return value;
+}
+
+static int parse_product(Parser *parser)
+{
+    int value = parse_unary(parser);
+    while (value != FAILED) {
+        const gboolean product = accept(parser, "*");
+        if (!product && !accept(parser, "/")) return value;
+        const int factor = parse_unary(parser);
+        if (factor == FAILED) return FAILED;
+        const TinkerOperation operation = product ? TINKER_OP_MULTIPLY : TINKER_OP_DIVIDE;
+        value = parser->reader->operation(parser->into, operation, value, factor);
+    }
+    return FAILED;
+}
+
+static int parse_sum(Parser *parser)
+{
+    int value = parse_product(parser);
+    while (value != FAILED) {
+        const gboolean sum = accept(parser, "+");
+        if (!sum && !accept(parser, "-")) return value;
+        const int term = parse_product(parser);
+        if (term == FAILED) return FAILED;
+        const TinkerOperation operation = sum ? TINKER_OP_ADD : TINKER_OP_SUBTRACT;
+        value = parser->reader->operation(parser->into, operation, value, term);
+    }
+    return FAILED;
+}
+
+/* Which TinkerComparison stands here; -1 for none. */
+static int accept_comparison(Parser *parser)
+{
+    static const char *const signs[] = {"<=", ">=", "==", "!=", "<", ">"};
+    for (int i = 0; i < (int)G_N_ELEMENTS(signs); i++)
+        if (accept(parser, signs[i])) return i;
+    return -1;
+}
+
+static int parse_comparison(Parser *parser)
+{
+    const int a = parse_sum(parser);
+    if (a == FAILED) return FAILED;
+    const int sign = accept_comparison(parser);
+    if (sign < 0) return a;
+    const int b = parse_sum(parser);
+    if (b == FAILED) return FAILED;
+    const char *behind = parser->at;
+    if (accept_comparison(parser) >= 0)
+        return fail(parser, TINKER_WAVEFORM_ERROR_SYNTAX, behind,
+                    "comparisons do not chain; did you mean a product, (a < b)*(b < c)?");
+    return parser->reader->comparison(parser->into, (TinkerComparison)sign, a, b);
+}
+
+/* Something is left behind a whole expression. */
+static int fail_behind(Parser *parser)
+{
+    if (*parser->at == ',')
+        return fail(parser, TINKER_WAVEFORM_ERROR_SYNTAX, parser->at,
+                    "a comma stands between the arguments of a function only; decimals have a point, as in 3.5");
+    if (*parser->at == ')') return fail(parser, TINKER_WAVEFORM_ERROR_SYNTAX, parser->at, "\")\" closes no bracket");
+    if (*parser->at == '(' || g_ascii_isalnum(*parser->at)) {
+        g_autofree char *found = quote(parser->at);
+        return fail(parser, TINKER_WAVEFORM_ERROR_SYNTAX, parser->at,
+                    "an operator is expected before %s; did you mean a product, *?", found);
+    }
+    return fail_unexpected(parser, "an operator or the end");
+}
+
+static gboolean check_text(Parser *parser)
+{
+    const char *end;
+    if (strlen(parser->text) > LONGEST_TEXT) {
+        g_set_error(parser->error, TINKER_WAVEFORM_ERROR, TINKER_WAVEFORM_ERROR_SYNTAX,
+                    "column 1: the expression is longer than %d bytes", LONGEST_TEXT);
+        return FALSE;
+    }
+    if (g_utf8_validate(parser->text, -1, &end)) return TRUE;
+    fail(parser, TINKER_WAVEFORM_ERROR_SYNTAX, end, "the text is not UTF-8 here");
+    return FALSE;
+}
+
+int tinker_expression_read(const char *text, const TinkerReadable *names, const TinkerReader *reader, void *into,
+                           GError **error)
+{
+    Parser parser = {.text = text, .at = text, .reader = reader, .into = into, .error = error};
+    if (names != NULL) {
+        parser.names = names->names;
+        parser.refer = names->refer;
+        parser.data = names->data;
+    }
+    if (!check_text(&parser)) return FAILED;
+    const int value = parse_comparison(&parser);
+    if (value == FAILED) return FAILED;
+    skip_blanks(&parser);
+    return *parser.at == '\0' ? value : fail_behind(&parser);
+}
+
+const char *tinker_expression_find_equals(const char *text)
+{
+    gboolean braced = FALSE;
+    for (const char *at = text; *at != '\0'; at++) {
+        if (*at == '{' || *at == '}') braced = *at == '{';
+        if (braced || *at != '=') continue;
+        if (at[1] == '=' || (at > text && strchr("=<>!", at[-1]) != NULL)) continue;
+        return at;
+    }
+    return NULL;
+}

@@ -1,3 +1,0 @@
-#include "units/waveform.h"
-
-G_DEFINE_QUARK(tinker_waveform_error_quark, tinker_waveform_error)
