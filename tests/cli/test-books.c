@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "diagram-scale.h"
+#include "common/diagram/diagram-scale.h"
 #include "fixture.h"
 #include "render/picture/arrows.h"
 

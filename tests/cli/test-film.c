@@ -6,7 +6,7 @@
 #include <unistd.h>
 
 #include "author.h"
-#include "film.h"
+#include "common/film/film.h"
 #include "program.h"
 
 #define WIDTH  8

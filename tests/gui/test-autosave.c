@@ -8,13 +8,13 @@
 #include <unistd.h>
 #include <utime.h>
 
+#include "common/program/program-start.h"
 #include "files-fixture.h"
 #include "gui/document/autosave.h"
 #include "gui/document/recovery.h"
 #include "gui/document/session.h"
 #include "plugin/call/call.h"
 #include "plugin/call/crash.h"
-#include "program-start.h"
 
 #define PATIENCE (30 * G_USEC_PER_SEC)
 

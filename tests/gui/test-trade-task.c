@@ -5,11 +5,11 @@
 #include <utime.h>
 
 #include "author.h"
+#include "common/graph/trade-chart.h"
 #include "gui-fixture.h"
 #include "gui/accuracy/trade-task.h"
 #include "gui/document/background.h"
 #include "gui/document/run-choice.h"
-#include "trade-chart.h"
 
 #define PATIENCE 60.0 /* s */
 

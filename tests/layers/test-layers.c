@@ -5,7 +5,8 @@
 
 #include "source-text.h"
 
-/* A folder, and what its files may include: folders of core, and libraries by the beginning of the header's name. */
+/* A folder, and what its files may include: folders of core and of the hosts, and libraries by the beginning of the
+ * header's name. */
 typedef struct {
     const char *folder;
     const char *core[16];
@@ -34,15 +35,16 @@ static const Layer layers[] = {
      {"conformance", "law", "physics", "render", "scene", "plugin", "units"},
      {"tinker/", "glib", "cairo"}},
     {"host/common",
-     {"equations", "measure", "analysis", "physics", "numerics", "render", "edit", "scene", "plugin", "files", "units"},
+     {"common", "equations", "measure", "analysis", "physics", "numerics", "render", "edit", "scene", "plugin", "files",
+      "units"},
      {"tinker/", "glib", "gmodule", "cairo", "cjson/"}},
     {"host/cli",
-     {"cli", "equations", "measure", "conformance", "analysis", "physics", "numerics", "render", "edit", "scene",
-      "plugin", "files", "units"},
+     {"cli", "common", "equations", "measure", "conformance", "analysis", "physics", "numerics", "render", "edit",
+      "scene", "plugin", "files", "units"},
      {"tinker/", "glib", "gmodule", "gio/", "cairo", "pango/", "cjson/"}},
     {"host/gui",
-     {"gui", "equations", "measure", "analysis", "physics", "numerics", "render", "edit", "law", "scene", "plugin",
-      "files", "units"},
+     {"gui", "common", "equations", "measure", "analysis", "physics", "numerics", "render", "edit", "law", "scene",
+      "plugin", "files", "units"},
      {"tinker/", "glib", "gio/", "gtk/", "adwaita.h", "graphene", "libintl.h", "cairo", "cjson/"}},
     {"plugins", {NULL}, {"tinker/"}},
     {"plugins/cvode-bdf", {NULL}, {"tinker/", "cvodes/", "nvector/", "sundials/", "sunlinsol/", "sunmatrix/"}},
@@ -120,6 +122,20 @@ static const Rooms folders_with_rooms[] = {
      {"modes", "start", "trade"},
      {"modes/mode-analysis.h", "start/advice.h", "start/joined.h", "start/start-conditions.h", "trade/trade.h"}},
     {"core/conformance", {"probe", "rule"}, {"rule/conformance.h"}},
+    {"host/common",
+     {"program", "words", "overlay", "graph", "diagram", "film"},
+     {"program/csv-writer.h",      "program/exit-status.h",
+      "program/file-set.h",        "program/installation.h",
+      "program/plugin-folders.h",  "program/print.h",
+      "program/program-start.h",   "words/event-words.h",
+      "words/plan-words.h",        "words/trade-words.h",
+      "overlay/force-arrows.h",    "overlay/mode-shape.h",
+      "overlay/motion-trail.h",    "overlay/motion-vectors.h",
+      "graph/drive-response.h",    "graph/graph-axis.h",
+      "graph/trade-chart.h",       "diagram/books-picture.h",
+      "diagram/diagram-picture.h", "film/film-arrows.h",
+      "film/film-pictures.h",      "film/film.h",
+      "film/motion-film.h"}},
     {"host/cli", {"command", "report", "plugins", "verb"}, {NULL}},
     {"host/gui",
      {"text", "widget", "document", "curve", "canvas", "mode", "equation", "property", "start", "graph", "instrument",
@@ -159,13 +175,6 @@ static gboolean library_is_allowed(const Layer *layer, const char *header)
     return !bound_to_c && begins_with_one_of(header, system_headers);
 }
 
-/* What both programs share. */
-static gboolean is_of_hosts(const Layer *layer, const char *header)
-{
-    g_autofree char *common = source_path("host/common"), *path = g_build_filename(common, header, NULL);
-    return g_str_has_prefix(layer->folder, "host/") && g_file_test(path, G_FILE_TEST_EXISTS);
-}
-
 /* What is beside a template once it is written out. */
 static gboolean is_of_templates(const Layer *layer, const char *header)
 {
@@ -180,8 +189,8 @@ static int room_number(const Rooms *rooms, const char *room)
     return -1;
 }
 
-/* "physics/plan/plan.h": a room uses itself and those before it, and no private header but its own; other folders of
- * core use the face. */
+/* "physics/plan/plan.h": a room uses itself and those before it, and no private header but its own; other folders use
+ * the face. */
 static gboolean room_is_allowed(const Rooms *rooms, const Layer *layer, const char *file_folder, const char *inside)
 {
     g_autofree char *own_room = g_path_get_basename(file_folder), *room = g_path_get_dirname(inside);
@@ -191,12 +200,13 @@ static gboolean room_is_allowed(const Rooms *rooms, const Layer *layer, const ch
     return to == from || !g_str_has_suffix(inside, "-private.h");
 }
 
-/* "scene/store/scene.h" of core; "x.h" beside the file itself; a private header only within its own folder. */
+/* "scene/store/scene.h" of core, "common/film/film.h" of the hosts; "x.h" beside the file itself; a private header only
+ * within its own folder. */
 static gboolean own_is_allowed(const Layer *layer, const char *file_folder, const char *header)
 {
     g_autofree char *beside = g_build_filename(file_folder, header, NULL);
     if (strchr(header, '/') == NULL && g_file_test(beside, G_FILE_TEST_EXISTS)) return TRUE;
-    if (is_of_hosts(layer, header) || is_of_templates(layer, header)) return TRUE;
+    if (is_of_templates(layer, header)) return TRUE;
     g_auto(GStrv) parts = g_strsplit(header, "/", 2);
     if (parts[1] == NULL || !g_strv_contains(layer->core, parts[0])) return FALSE;
     for (gsize i = 0; i < G_N_ELEMENTS(folders_with_rooms); i++)

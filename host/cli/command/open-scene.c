@@ -5,10 +5,10 @@
 
 #include "cli/command/block-places.h"
 #include "cli/command/output.h"
-#include "exit-status.h"
-#include "installation.h"
+#include "common/program/exit-status.h"
+#include "common/program/installation.h"
+#include "common/program/plugin-folders.h"
 #include "physics/model/model.h"
-#include "plugin-folders.h"
 #include "scene/frame/overlaps.h"
 
 TinkerCatalogue *tinker_open_catalogue(char **plugin_folders)

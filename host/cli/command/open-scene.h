@@ -3,7 +3,7 @@
 #define TINKER_CLI_OPEN_SCENE_H
 
 #include "cli/command/options.h"
-#include "file-set.h"
+#include "common/program/file-set.h"
 #include "plugin/catalogue/catalogue.h"
 #include "scene/read/scene-json.h"
 

@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "exit-status.h"
+#include "common/program/exit-status.h"
 #include "units/quantity/units.h"
 
 void tinker_command_line_clear(TinkerCommandLine *line)

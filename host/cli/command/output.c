@@ -7,7 +7,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "exit-status.h"
+#include "common/program/exit-status.h"
 #include "files/unfinished.h"
 #include "files/write-lines.h"
 

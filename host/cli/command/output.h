@@ -4,7 +4,7 @@
 
 #include <stdio.h>
 
-#include "file-set.h"
+#include "common/program/file-set.h"
 
 /* An output as it was asked for. */
 typedef struct {

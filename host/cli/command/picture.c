@@ -5,8 +5,8 @@
 
 #include "cli/command/options.h"
 #include "cli/command/output.h"
-#include "exit-status.h"
-#include "film.h"
+#include "common/film/film.h"
+#include "common/program/exit-status.h"
 #include "physics/run/acting-forces.h"
 
 /* Cairo's image surfaces end at 32767 pixels; a picture of half of that takes a gigabyte. */

@@ -3,8 +3,8 @@
 #define TINKER_CLI_PICTURE_H
 
 #include "cli/command/run-arguments.h"
-#include "motion-trail.h"
-#include "motion-vectors.h"
+#include "common/overlay/motion-trail.h"
+#include "common/overlay/motion-vectors.h"
 #include "render/picture/painter.h"
 
 typedef struct {

@@ -2,7 +2,7 @@
 #include "cli/command/run-arguments.h"
 
 #include "cli/command/options.h"
-#include "exit-status.h"
+#include "common/program/exit-status.h"
 #include "physics/compile/compile.h"
 #include "physics/model/model.h"
 #include "physics/plan/run-options.h"

@@ -1,7 +1,7 @@
 /* Conditions that end a run: those of the command line, or the scene's own. */
 #include "cli/command/options.h"
 #include "cli/command/run-arguments.h"
-#include "exit-status.h"
+#include "common/program/exit-status.h"
 #include "physics/compile/compile.h"
 #include "physics/system/summary.h"
 

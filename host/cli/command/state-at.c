@@ -1,6 +1,6 @@
 #include "cli/command/state-at.h"
 
-#include "exit-status.h"
+#include "common/program/exit-status.h"
 
 /* What is looked at while the scene runs. */
 typedef struct {

@@ -8,10 +8,10 @@
 
 #include "cli/command/open-scene.h"
 #include "cli/command/options.h"
+#include "common/program/exit-status.h"
+#include "common/program/plugin-folders.h"
+#include "common/program/print.h"
 #include "conformance/rule/conformance.h"
-#include "exit-status.h"
-#include "plugin-folders.h"
-#include "print.h"
 
 static const TinkerVerbHelp check_help = {
     .verb = "plugins check",

@@ -7,9 +7,9 @@
 #include "cli/command/open-scene.h"
 #include "cli/command/options.h"
 #include "cli/plugins/template-folder.h"
-#include "exit-status.h"
+#include "common/program/exit-status.h"
+#include "common/program/print.h"
 #include "numerics/methods/integrators.h"
-#include "print.h"
 
 #define MOST_NAME 40
 

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "cli/report/text-table.h"
-#include "print.h"
+#include "common/program/print.h"
 #include "scene/frame/tops.h"
 #include "scene/store/quantities.h"
 #include "units/quantity/units.h"

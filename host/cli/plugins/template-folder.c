@@ -8,7 +8,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "exit-status.h"
+#include "common/program/exit-status.h"
 
 #define ROOT         "/tinker/templates/"
 #define SCENE_ENDING ".tinker.json"

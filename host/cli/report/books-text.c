@@ -2,11 +2,11 @@
 #include <float.h>
 #include <math.h>
 
-#include "books-picture.h"
 #include "cli/report/books-report.h"
 #include "cli/report/text-table.h"
-#include "csv-writer.h"
-#include "print.h"
+#include "common/diagram/books-picture.h"
+#include "common/program/csv-writer.h"
+#include "common/program/print.h"
 
 static const TinkerBookEntry *entry_at(const TinkerBooks *books, guint number)
 {

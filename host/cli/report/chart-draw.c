@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "exit-status.h"
+#include "common/program/exit-status.h"
 
 #include "render/plot/plot.h"
 

@@ -3,7 +3,7 @@
 #define TINKER_CLI_CHART_PRIVATE_H
 
 #include "cli/report/chart.h"
-#include "graph-axis.h"
+#include "common/graph/graph-axis.h"
 
 /* The axis at a place of the record's rows. */
 TinkerGraphAxis tinker_chart_axis(const TinkerChart *chart, guint place);

@@ -3,7 +3,7 @@
 
 #include "cli/command/output.h"
 #include "cli/report/chart-private.h"
-#include "exit-status.h"
+#include "common/program/exit-status.h"
 
 gboolean tinker_chart_read_curve(const TinkerChart *chart, const TinkerChartCurve *curve, GArray *times, GArray *values,
                                  GError **error)

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "cli/report/chart-private.h"
-#include "exit-status.h"
+#include "common/program/exit-status.h"
 #include "units/waveform/table-columns.h"
 
 /* The fields of a line of CSV. (transfer full) */

@@ -6,7 +6,7 @@
 #include "units/waveform/table-columns.h"
 
 #include "cli/command/output.h"
-#include "exit-status.h"
+#include "common/program/exit-status.h"
 
 #define ROWS_AT_ONCE ((gsize)1024)
 

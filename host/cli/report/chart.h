@@ -3,7 +3,7 @@
 #ifndef TINKER_CLI_CHART_H
 #define TINKER_CLI_CHART_H
 
-#include "graph-axis.h"
+#include "common/graph/graph-axis.h"
 #include "measure/formula.h"
 #include "measure/spectrum.h"
 #include "physics/record/record.h"

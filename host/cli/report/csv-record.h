@@ -7,7 +7,7 @@
 #define TINKER_CLI_CSV_RECORD_H
 
 #include "cli/command/output.h"
-#include "csv-writer.h"
+#include "common/program/csv-writer.h"
 #include "physics/record/record.h"
 #include "physics/run/simulation.h"
 #include "plugin/call/crash.h"

@@ -3,7 +3,7 @@
 
 #include "cli/report/diagram-report.h"
 #include "cli/report/text-table.h"
-#include "print.h"
+#include "common/program/print.h"
 
 #define NOTHING 1e-12 /* of the greatest force, or of all moments together: what rounding leaves */
 

@@ -4,7 +4,7 @@
 #include <cjson/cJSON.h>
 
 #include "cli/report/mode-report.h"
-#include "print.h"
+#include "common/program/print.h"
 
 #define HERTZ(omega) ((omega) / (2 * G_PI))
 

@@ -2,7 +2,7 @@
 #include <string.h>
 
 #include "cli/report/mode-report.h"
-#include "mode-shape.h"
+#include "common/overlay/mode-shape.h"
 #include "render/picture/ghost.h"
 
 static char *numbered_path(const char *path, guint number)

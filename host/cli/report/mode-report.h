@@ -5,7 +5,7 @@
 #include <stdio.h>
 
 #include "cli/report/mode-response.h"
-#include "file-set.h"
+#include "common/program/file-set.h"
 #include "render/picture/painter.h"
 
 typedef struct {

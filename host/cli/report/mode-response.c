@@ -4,8 +4,8 @@
 #include <math.h>
 
 #include "cli/command/output.h"
-#include "csv-writer.h"
-#include "exit-status.h"
+#include "common/program/csv-writer.h"
+#include "common/program/exit-status.h"
 #include "render/plot/plot-stack.h"
 
 #define DEGREES (180 / G_PI)

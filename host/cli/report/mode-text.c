@@ -4,7 +4,7 @@
 #include <math.h>
 
 #include "cli/report/text-table.h"
-#include "print.h"
+#include "common/program/print.h"
 
 #define HERTZ(omega) ((omega) / (2 * G_PI))
 /* Columns of shapes that stand beside one another. */

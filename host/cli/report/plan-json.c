@@ -5,7 +5,7 @@
 
 #include "cli/report/plan-report.h"
 #include "cli/report/scene-json.h"
-#include "print.h"
+#include "common/program/print.h"
 
 static void add_number(cJSON *object, const char *key, double value)
 {

@@ -4,8 +4,8 @@
 
 #include "cli/report/plan-report.h"
 #include "cli/report/text-table.h"
-#include "plan-words.h"
-#include "print.h"
+#include "common/program/print.h"
+#include "common/words/plan-words.h"
 
 #define MOST_ISLANDS 8 /* the JSON has them all */
 

@@ -6,8 +6,8 @@
 
 #include "cli/report/chart-private.h"
 #include "cli/report/text-table.h"
-#include "exit-status.h"
-#include "print.h"
+#include "common/program/exit-status.h"
+#include "common/program/print.h"
 
 typedef enum { OF_CURVE, OF_TIME, PLAIN } UnitKind;
 

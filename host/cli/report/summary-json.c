@@ -5,8 +5,8 @@
 
 #include "cli/report/scene-json.h"
 #include "cli/report/summary.h"
-#include "event-words.h"
-#include "print.h"
+#include "common/program/print.h"
+#include "common/words/event-words.h"
 
 static void add_number(cJSON *object, const char *key, double value)
 {

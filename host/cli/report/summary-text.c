@@ -3,9 +3,9 @@
 
 #include "cli/report/summary.h"
 #include "cli/report/text-table.h"
-#include "event-words.h"
-#include "plan-words.h"
-#include "print.h"
+#include "common/program/print.h"
+#include "common/words/event-words.h"
+#include "common/words/plan-words.h"
 
 static char *time_text(const TinkerSummary *run)
 {

@@ -1,6 +1,6 @@
 /* Tables for people. Widths count characters, not bytes. */
 #include "cli/report/text-table.h"
-#include "print.h"
+#include "common/program/print.h"
 #include "units/quantity/plain-text.h"
 
 #include <stdarg.h>

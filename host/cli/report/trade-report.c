@@ -4,9 +4,9 @@
 #include <math.h>
 
 #include "cli/report/text-table.h"
-#include "csv-writer.h"
-#include "print.h"
-#include "trade-words.h"
+#include "common/program/csv-writer.h"
+#include "common/program/print.h"
+#include "common/words/trade-words.h"
 
 static const TinkerTradeMethod *method_at(const TinkerTrade *trade, guint place)
 {

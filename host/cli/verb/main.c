@@ -6,8 +6,8 @@
 
 #include "cli/command/options.h"
 #include "cli/verb/verbs.h"
-#include "exit-status.h"
-#include "program-start.h"
+#include "common/program/exit-status.h"
+#include "common/program/program-start.h"
 
 typedef struct {
     const char *name;

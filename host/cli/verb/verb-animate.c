@@ -7,10 +7,10 @@
 #include "cli/command/options.h"
 #include "cli/command/output.h"
 #include "cli/command/picture.h"
-#include "exit-status.h"
-#include "film-pictures.h"
-#include "film.h"
-#include "motion-film.h"
+#include "common/film/film-pictures.h"
+#include "common/film/film.h"
+#include "common/film/motion-film.h"
+#include "common/program/exit-status.h"
 
 static const TinkerVerbHelp help = {
     .verb = "animate",

@@ -12,14 +12,14 @@
 #include "cli/command/output.h"
 #include "cli/command/run-arguments.h"
 #include "cli/report/text-table.h"
-#include "exit-status.h"
+#include "common/program/exit-status.h"
+#include "common/program/print.h"
 #include "numerics/methods/integrators.h"
 #include "physics/compile/compile.h"
 #include "physics/model/model.h"
 #include "physics/plan/run-options.h"
 #include "physics/run/simulation.h"
 #include "physics/system/summary.h"
-#include "print.h"
 
 #define BATCHES 9
 

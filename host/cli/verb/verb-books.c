@@ -1,7 +1,6 @@
 /* tinker books: Newton's law, work and energy, impulse and momentum of bodies over an interval. */
 #include <math.h>
 
-#include "books-picture.h"
 #include "cli/command/open-scene.h"
 #include "cli/command/options.h"
 #include "cli/command/output.h"
@@ -11,9 +10,10 @@
 #include "cli/report/books-json.h"
 #include "cli/report/books-report.h"
 #include "cli/verb/verbs.h"
+#include "common/diagram/books-picture.h"
+#include "common/program/exit-status.h"
+#include "common/program/print.h"
 #include "equations/balance/books.h"
-#include "exit-status.h"
-#include "print.h"
 #include "render/draw/surface.h"
 
 static const TinkerVerbHelp help = {

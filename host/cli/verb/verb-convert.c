@@ -4,7 +4,7 @@
 #include "cli/command/open-scene.h"
 #include "cli/command/options.h"
 #include "cli/command/output.h"
-#include "exit-status.h"
+#include "common/program/exit-status.h"
 
 static const TinkerVerbHelp help = {
     .verb = "convert",

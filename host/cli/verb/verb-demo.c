@@ -10,9 +10,9 @@
 #include "cli/command/run-arguments.h"
 #include "cli/report/chart.h"
 #include "cli/report/csv-record.h"
-#include "exit-status.h"
-#include "installation.h"
-#include "print.h"
+#include "common/program/exit-status.h"
+#include "common/program/installation.h"
+#include "common/program/print.h"
 #include "render/picture/painter.h"
 
 #define DEMO "spring-mass"

@@ -7,9 +7,9 @@
 #include "cli/command/state-at.h"
 #include "cli/report/diagram-report.h"
 #include "cli/verb/verbs.h"
-#include "diagram-picture.h"
-#include "exit-status.h"
-#include "print.h"
+#include "common/diagram/diagram-picture.h"
+#include "common/program/exit-status.h"
+#include "common/program/print.h"
 #include "render/draw/surface.h"
 
 static const TinkerVerbHelp help = {

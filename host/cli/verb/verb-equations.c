@@ -9,12 +9,12 @@
 #include "cli/command/state-at.h"
 #include "cli/report/equations-json.h"
 #include "cli/verb/verbs.h"
+#include "common/program/exit-status.h"
+#include "common/program/print.h"
 #include "equations/write/write.h"
-#include "exit-status.h"
 #include "physics/compile/compile.h"
 #include "physics/plan/islands.h"
 #include "physics/plan/plan.h"
-#include "print.h"
 
 static const TinkerVerbHelp help = {
     .verb = "equations",

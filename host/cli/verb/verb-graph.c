@@ -10,7 +10,7 @@
 #include "cli/report/chart-table.h"
 #include "cli/report/chart.h"
 #include "cli/report/statistics-report.h"
-#include "exit-status.h"
+#include "common/program/exit-status.h"
 #include "measure/changes.h"
 
 static const TinkerVerbHelp help = {

@@ -9,7 +9,7 @@
 #include "cli/command/output.h"
 #include "cli/command/picture.h"
 #include "cli/report/mode-report.h"
-#include "exit-status.h"
+#include "common/program/exit-status.h"
 
 #define DEFAULT_COUNT  10
 #define DEFAULT_POINTS 400

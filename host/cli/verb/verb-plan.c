@@ -7,7 +7,7 @@
 #include "cli/command/output.h"
 #include "cli/command/run-arguments.h"
 #include "cli/report/plan-report.h"
-#include "exit-status.h"
+#include "common/program/exit-status.h"
 #include "physics/compile/compile.h"
 #include "physics/model/model.h"
 #include "physics/plan/islands.h"

@@ -12,10 +12,10 @@
 #include "cli/plugins/plugins-new.h"
 #include "cli/plugins/plugins-show.h"
 #include "cli/report/text-table.h"
-#include "exit-status.h"
+#include "common/program/exit-status.h"
+#include "common/program/print.h"
 #include "files/replace-file.h"
 #include "numerics/methods/integrators.h"
-#include "print.h"
 #include "units/quantity/units.h"
 
 #define LIST_HELP                                                                                                      \

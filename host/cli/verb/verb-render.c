@@ -6,8 +6,8 @@
 #include "cli/command/options.h"
 #include "cli/command/output.h"
 #include "cli/command/picture.h"
-#include "exit-status.h"
-#include "force-arrows.h"
+#include "common/overlay/force-arrows.h"
+#include "common/program/exit-status.h"
 #include "render/draw/text.h"
 #include "scene/frame/tops.h"
 

@@ -8,7 +8,7 @@
 #include "cli/command/run-arguments.h"
 #include "cli/report/csv-record.h"
 #include "cli/report/summary.h"
-#include "exit-status.h"
+#include "common/program/exit-status.h"
 #include "physics/compile/compile.h"
 #include "physics/record/sample-times.h"
 

@@ -8,9 +8,9 @@
 #include "cli/command/picture.h"
 #include "cli/command/run-arguments.h"
 #include "cli/report/trade-report.h"
-#include "exit-status.h"
-#include "print.h"
-#include "trade-chart.h"
+#include "common/graph/trade-chart.h"
+#include "common/program/exit-status.h"
+#include "common/program/print.h"
 
 #define WIDTH   900
 #define HEIGHT  600

@@ -5,9 +5,9 @@
 #include <glib/gi18n.h>
 #include <math.h>
 
+#include "common/words/trade-words.h"
 #include "gui/document/status-text.h"
 #include "gui/widget/unparent.h"
-#include "trade-words.h"
 #include "units/quantity/units.h"
 
 /* Rows ----------------------------------------------------------------------------------------------------------------

@@ -4,10 +4,10 @@
 
 #include <glib/gi18n.h>
 
+#include "common/graph/trade-chart.h"
 #include "gui/document/run-choice.h"
 #include "gui/document/status-text.h"
 #include "gui/widget/desktop-theme.h"
-#include "trade-chart.h"
 
 #define REACH 18 /* pixels about a point that count as on it */
 

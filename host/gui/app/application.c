@@ -7,7 +7,8 @@
 #include <stdlib.h>
 #include <unistd.h>
 
-#include "exit-status.h"
+#include "common/program/exit-status.h"
+#include "common/program/installation.h"
 #include "gui/app/command-line.h"
 #include "gui/app/screenshot.h"
 #include "gui/document/background.h"
@@ -15,7 +16,6 @@
 #include "gui/text/settings.h"
 #include "gui/window/window-recovery.h"
 #include "gui/window/window.h"
-#include "installation.h"
 
 /* s that a thread has to stop in, at the end. */
 #define LONGEST_WAIT 10

@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "plugin-folders.h"
+#include "common/program/plugin-folders.h"
 
 #define GREATEST_SIZE 16384
 

@@ -4,9 +4,9 @@
 #include <libintl.h>
 #include <locale.h>
 
+#include "common/program/installation.h"
+#include "common/program/program-start.h"
 #include "gui/app/application.h"
-#include "installation.h"
-#include "program-start.h"
 
 int main(int argc, char **argv)
 {

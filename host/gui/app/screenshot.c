@@ -5,7 +5,7 @@
 #include <glib/gi18n.h>
 #include <math.h>
 
-#include "exit-status.h"
+#include "common/program/exit-status.h"
 #include "files/replace-file.h"
 #include "gui/graph/graph-plot.h"
 #include "gui/text/settings.h"

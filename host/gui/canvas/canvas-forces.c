@@ -5,7 +5,7 @@
 
 #include <math.h>
 
-#include "force-arrows.h"
+#include "common/overlay/force-arrows.h"
 #include "gui/canvas/canvas-vectors.h"
 #include "gui/document/forces-now.h"
 #include "physics/run/acting-forces.h"

@@ -5,8 +5,8 @@
 
 #include <cairo.h>
 
+#include "common/overlay/motion-vectors.h"
 #include "gui/document/player.h"
-#include "motion-vectors.h"
 #include "render/draw/theme.h"
 #include "render/draw/view.h"
 

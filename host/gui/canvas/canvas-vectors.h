@@ -3,9 +3,9 @@
 #ifndef TINKER_GUI_CANVAS_VECTORS_H
 #define TINKER_GUI_CANVAS_VECTORS_H
 
+#include "common/overlay/motion-trail.h"
+#include "common/overlay/motion-vectors.h"
 #include "gui/document/player.h"
-#include "motion-trail.h"
-#include "motion-vectors.h"
 
 typedef struct _CanvasVectors CanvasVectors;
 

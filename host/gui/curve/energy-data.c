@@ -6,7 +6,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "graph-axis.h"
+#include "common/graph/graph-axis.h"
 
 #define QUANTITIES (TINKER_ENERGY_LAYERS + 1) /* the last one is what was supplied */
 #define EMPTY      1e-9                       /* of the highest: rounding, and nothing to see */

@@ -3,7 +3,7 @@
 #ifndef TINKER_GUI_GRAPH_SERIES_H
 #define TINKER_GUI_GRAPH_SERIES_H
 
-#include "graph-axis.h"
+#include "common/graph/graph-axis.h"
 #include "gui/document/player.h"
 #include "render/plot/curve-index.h"
 

@@ -13,7 +13,7 @@
 
 #include <gio/gio.h>
 
-#include "file-set.h"
+#include "common/program/file-set.h"
 #include "scene/history/history.h"
 #include "scene/read/scene-json.h"
 

@@ -6,7 +6,7 @@
 #include <glib/gi18n-lib.h>
 #include <string.h>
 
-#include "installation.h"
+#include "common/program/installation.h"
 
 #define ENDING ".tinker.json"
 

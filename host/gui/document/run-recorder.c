@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "event-words.h"
+#include "common/words/event-words.h"
 #include "gui/document/run-task-private.h"
 #include "physics/compile/compile.h"
 #include "physics/model/model.h"

@@ -5,7 +5,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "plan-words.h"
+#include "common/words/plan-words.h"
 
 #define LARGE_ERROR      1e-2 /* of the motion: to be seen in a picture */
 #define UNPREDICTABLE    0.1  /* of the motion: what is beyond is not to be believed */

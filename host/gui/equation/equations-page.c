@@ -5,8 +5,8 @@
 #include <glib/gi18n.h>
 #include <string.h>
 
-#include "books-picture.h"
-#include "diagram-picture.h"
+#include "common/diagram/books-picture.h"
+#include "common/diagram/diagram-picture.h"
 #include "equations/write/lines.h"
 #include "gui/equation/equation-row.h"
 #include "gui/text/sentence.h"

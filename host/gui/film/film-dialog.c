@@ -3,8 +3,8 @@
 
 #include <glib/gi18n.h>
 
-#include "film.h"
-#include "motion-film.h"
+#include "common/film/film.h"
+#include "common/film/motion-film.h"
 
 struct _TinkerFilmDialog {
     AdwWindow parent_instance;

@@ -1,9 +1,9 @@
 /* The thread runs a copy of the scene, then draws it. */
 #include "gui/film/film-task.h"
 
+#include "common/film/motion-film.h"
 #include "gui/document/background.h"
 #include "measure/until.h"
-#include "motion-film.h"
 #include "physics/compile/compile.h"
 #include "physics/model/model.h"
 #include "physics/plan/run-options.h"

@@ -7,7 +7,7 @@
 
 #include <glib-object.h>
 
-#include "film-arrows.h"
+#include "common/film/film-arrows.h"
 #include "scene/store/scene.h"
 
 #define TINKER_TYPE_FILM_TASK (tinker_film_task_get_type())

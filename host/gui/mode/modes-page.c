@@ -4,10 +4,10 @@
 #include <glib/gi18n.h>
 #include <math.h>
 
+#include "common/overlay/mode-shape.h"
 #include "gui/text/sentence.h"
 #include "gui/widget/desktop-theme.h"
 #include "gui/widget/unparent.h"
-#include "mode-shape.h"
 #include "render/plot/plot.h"
 
 #define MOST_MODES   40

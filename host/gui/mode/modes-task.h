@@ -3,7 +3,7 @@
 #ifndef TINKER_GUI_MODES_TASK_H
 #define TINKER_GUI_MODES_TASK_H
 
-#include "drive-response.h"
+#include "common/graph/drive-response.h"
 #include "gui/document/document.h"
 
 #define TINKER_TYPE_MODES_TASK (tinker_modes_task_get_type())

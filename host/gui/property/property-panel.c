@@ -5,9 +5,9 @@
 
 #include <glib/gi18n.h>
 
+#include "common/overlay/motion-vectors.h"
 #include "gui/property/property-field.h"
 #include "gui/widget/unparent.h"
-#include "motion-vectors.h"
 
 #define REFRESH_INTERVAL 50  /* ms: live values need not be faster */
 #define MOST_BODIES      200 /* of a scene whose modes are worked out for a line beside a frequency */

@@ -1,5 +1,5 @@
 /* Frequencies of what drives the scene, and whether that is near a resonance. */
-#include "drive-response.h"
+#include "common/graph/drive-response.h"
 #include "gui/property/property-list.h"
 
 /* Whether the row sets the frequency of a waveform of its one block. */

@@ -5,8 +5,8 @@
 #include <glib/gi18n.h>
 #include <string.h>
 
+#include "common/program/installation.h"
 #include "gui/widget/markdown-view.h"
-#include "installation.h"
 
 #define CONTENTS "README.md"
 #define DATA     "tinker-help-window"

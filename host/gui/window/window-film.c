@@ -2,8 +2,8 @@
 #include <glib/gi18n.h>
 #include <string.h>
 
-#include "film-pictures.h"
-#include "film.h"
+#include "common/film/film-pictures.h"
+#include "common/film/film.h"
 #include "gui/film/film-dialog.h"
 #include "gui/text/message.h"
 #include "gui/window/window-files.h"

@@ -1,0 +1,300 @@
+/* Six accounts in two columns, in a narrow picture in one: forces and momentum along x and y, energy, angular momentum.
+ */
+#include "common/diagram/books-picture.h"
+
+#include <glib/gi18n.h>
+#include <math.h>
+
+#include "render/draw/text.h"
+
+/* Canvas units. */
+#define EDGE       14.0
+#define TITLE      15.0
+#define TEXT       11.5
+#define HEADING    34.0
+#define MOST_ROW   22.0
+#define LEAST_ROW  15.0
+#define BAR        0.62 /* of a row */
+#define NAME_ROOM  0.3  /* of an account's width */
+#define VALUE_ROOM 112.0
+
+#define NARROW 600.0 /* canvas units: below it accounts stand in one column */
+
+#define FADED   0.3
+#define NOTHING 1e-12 /* of what was moved: below it a bar is none */
+
+typedef struct {
+    char *name;
+    double value;
+    gboolean total;      /* it stands by itself: what was there, what came of it */
+    TinkerBlockId block; /* TINKER_NO_BLOCK: none */
+} Entry;
+
+typedef struct {
+    char *title;
+    TinkerDimension dimension;
+    GArray *entries; /* of Entry */
+    const TinkerBookBalance *balance;
+} Account;
+
+typedef struct {
+    const TinkerBooksPicture *picture;
+    cairo_t *cairo;
+    TinkerTextPen pen;
+} Drawing;
+
+static void entry_clear(gpointer data)
+{
+    g_free(((Entry *)data)->name);
+}
+
+static void set_colour(const Drawing *drawing, const double colour[4], double share)
+{
+    const double *ground = drawing->picture->theme->background;
+    double mixed[3];
+    for (int k = 0; k < 3; k++)
+        mixed[k] = ground[k] + share * (colour[k] - ground[k]);
+    cairo_set_source_rgba(drawing->cairo, mixed[0], mixed[1], mixed[2], colour[3]);
+}
+
+static void write_text(Drawing *drawing, TinkerText text, double x, double y)
+{
+    set_colour(drawing, drawing->picture->theme->colours[TINKER_COLOUR_TEXT], 1);
+    tinker_text_draw(&drawing->pen, drawing->cairo, &text, x, y);
+}
+
+static char *quantity(const Drawing *drawing, double value, TinkerDimension dimension)
+{
+    g_autofree char *size =
+        tinker_quantity_brief(fabs(value), dimension, tinker_scene_head(drawing->picture->scene)->units);
+    return g_strconcat(value < 0 ? "−" : "", size, NULL);
+}
+
+/* Accounts -----------------------------------------------------------------------------------------------------------
+ */
+
+/* Which of the numbers an account is of. */
+typedef enum { FORCE_X, FORCE_Y, ENERGY, ANGULAR, MOMENTUM_X, MOMENTUM_Y, ACCOUNTS } Which;
+
+static double given(const TinkerBookEntry *entry, Which which)
+{
+    switch (which) {
+    case FORCE_X:
+    case FORCE_Y:
+        return entry->force[which - FORCE_X];
+    case ENERGY:
+        return entry->work;
+    case ANGULAR:
+        return entry->angular;
+    default:
+        return entry->impulse[which - MOMENTUM_X];
+    }
+}
+
+static void add_total(Account *account, const char *name, double value)
+{
+    const Entry entry = {g_strdup(name), value, TRUE, TINKER_NO_BLOCK};
+    g_array_append_val(account->entries, entry);
+}
+
+static void totals_of(const TinkerBooks *books, Which which, double totals[2])
+{
+    const double first[ACCOUNTS] = {
+        0, 0, books->kinetic[0], books->angular[0], books->momentum[0][0], books->momentum[0][1]};
+    const double last[ACCOUNTS] = {books->rate[0],    books->rate[1],        books->kinetic[1],
+                                   books->angular[1], books->momentum[1][0], books->momentum[1][1]};
+    totals[0] = first[which];
+    totals[1] = last[which];
+}
+
+char *tinker_books_about(const TinkerBooks *books, TinkerScene *scene)
+{
+    static const TinkerDimension metres = TINKER_DIMENSION_LENGTH;
+    const TinkerUnitSystem units = tinker_scene_head(scene)->units;
+    if (books->about[0] == 0 && books->about[1] == 0) return g_strdup(_("the origin"));
+    g_autofree char *x = tinker_quantity_brief(books->about[0], metres, units);
+    g_autofree char *y = tinker_quantity_brief(books->about[1], metres, units);
+    return g_strdup_printf("(%s, %s)", x, y);
+}
+
+/* Of angular momentum with the point that it is about. (transfer full) */
+static char *title_of_account(const TinkerBooksPicture *picture, Which which)
+{
+    const char *const titles[ACCOUNTS] = {
+        _("Newton at the end, along x"),    _("Newton at the end, along y"),   _("Work and energy"), NULL,
+        _("Impulse and momentum, along x"), _("Impulse and momentum, along y")};
+    if (titles[which] != NULL) return g_strdup(titles[which]);
+    g_autofree char *about = tinker_books_about(picture->books, picture->scene);
+    return g_strdup_printf(_("Angular impulse and momentum about %s"), about);
+}
+
+static Account account_of(const TinkerBooksPicture *picture, Which which)
+{
+    static const TinkerDimension dimensions[ACCOUNTS] = {TINKER_DIMENSION_FORCE,  TINKER_DIMENSION_FORCE,
+                                                         TINKER_DIMENSION_ENERGY, {1, 2, -1, 0},
+                                                         {1, 1, -1, 0},           {1, 1, -1, 0}};
+    const TinkerBooks *books = picture->books;
+    const TinkerBookBalance *const balances[ACCOUNTS] = {&books->newton, &books->newton,  &books->energy,
+                                                         &books->moment, &books->impulse, &books->impulse};
+    Account account = {title_of_account(picture, which), dimensions[which], g_array_new(FALSE, TRUE, sizeof(Entry)),
+                       balances[which]};
+    double totals[2];
+    g_array_set_clear_func(account.entries, entry_clear);
+    totals_of(books, which, totals);
+    if (which > FORCE_Y) add_total(&account, _("before"), totals[0]);
+    for (guint i = 0; i < books->entries->len; i++) {
+        const TinkerBookEntry *entry = &g_array_index(books->entries, TinkerBookEntry, i);
+        if (entry->inner && which != ENERGY) continue; /* it cancels */
+        const Entry one = {g_strdup(tinker_scene_block_name(picture->scene, entry->by)), given(entry, which), FALSE,
+                           entry->by};
+        g_array_append_val(account.entries, one);
+    }
+    add_total(&account, which <= FORCE_Y ? _("= m a") : _("= after"), totals[1]);
+    return account;
+}
+
+/* Where there is no room for all, the least become one. */
+static void gather(Account *account, guint most)
+{
+    double rest = 0;
+    guint gathered = 0;
+    while (account->entries->len > MAX(most, 4)) {
+        guint least = 0;
+        for (guint i = 0; i < account->entries->len; i++) {
+            const Entry *entry = &g_array_index(account->entries, Entry, i);
+            const Entry *best = &g_array_index(account->entries, Entry, least);
+            if (!entry->total && (best->total || fabs(entry->value) < fabs(best->value))) least = i;
+        }
+        rest += g_array_index(account->entries, Entry, least).value;
+        g_array_remove_index(account->entries, least);
+        gathered++;
+        if (account->entries->len + 1 <= MAX(most, 4)) break;
+    }
+    if (gathered == 0) return;
+    const Entry others = {g_strdup_printf(_("%u others"), gathered), rest, FALSE, TINKER_NO_BLOCK};
+    g_array_insert_val(account->entries, account->entries->len - 1, others);
+}
+
+/* The bars -----------------------------------------------------------------------------------------------------------
+ */
+
+/* Where each bar begins and ends, and the range of all, with 0 in it. */
+static double *bars_of(const Account *account, double range[2])
+{
+    double *bars = g_new(double, 2 * account->entries->len), sum = 0;
+    range[0] = range[1] = 0;
+    for (guint i = 0; i < account->entries->len; i++) {
+        const Entry *entry = &g_array_index(account->entries, Entry, i);
+        bars[2 * i] = entry->total ? 0 : sum;
+        sum = entry->total ? entry->value : sum + entry->value;
+        bars[2 * i + 1] = sum;
+        range[0] = fmin(range[0], fmin(bars[2 * i], sum));
+        range[1] = fmax(range[1], fmax(bars[2 * i], sum));
+    }
+    return bars;
+}
+
+static const double *colour_of(const Drawing *drawing, const Entry *entry)
+{
+    const TinkerTheme *theme = drawing->picture->theme;
+    if (entry->total) return theme->colours[TINKER_COLOUR_DETACHED];
+    return entry->value < 0 ? theme->colours[TINKER_COLOUR_COMPRESSED] : theme->colours[TINKER_COLOUR_STRETCHED];
+}
+
+static void draw_bar(Drawing *drawing, const Entry *entry, const double ends[2], double y, double height)
+{
+    const TinkerBlockId lit = drawing->picture->lit;
+    const double share = lit == TINKER_NO_BLOCK || lit == entry->block ? 1 : FADED;
+    const double left = fmin(ends[0], ends[1]), width = fabs(ends[1] - ends[0]);
+    set_colour(drawing, colour_of(drawing, entry), share);
+    cairo_rectangle(drawing->cairo, left, y - height / 2, fmax(width, 1), height);
+    cairo_fill(drawing->cairo);
+}
+
+/* What hangs down from a bar's end to the next one's beginning. */
+static void draw_step(Drawing *drawing, double x, double y, double row)
+{
+    set_colour(drawing, drawing->picture->theme->axis, 1);
+    cairo_set_line_width(drawing->cairo, 1);
+    cairo_move_to(drawing->cairo, x, y);
+    cairo_line_to(drawing->cairo, x, y + row);
+    cairo_stroke(drawing->cairo);
+}
+
+static void draw_entries(Drawing *drawing, const Account *account, const double place[4], double row)
+{
+    double range[2];
+    g_autofree double *bars = bars_of(account, range);
+    const double width = place[2] - place[0], from = place[0] + NAME_ROOM * width, to = place[2] - VALUE_ROOM;
+    const double unit = range[1] > range[0] ? (to - from) / (range[1] - range[0]) : 0;
+    const double zero = from - unit * range[0];
+    draw_step(drawing, zero, place[1], row * account->entries->len);
+    for (guint i = 0; i < account->entries->len; i++) {
+        const Entry *entry = &g_array_index(account->entries, Entry, i);
+        const double y = place[1] + row * (i + 0.5),
+                     ends[2] = {zero + unit * bars[2 * i], zero + unit * bars[2 * i + 1]};
+        const gboolean nothing = fabs(entry->value) <= NOTHING * account->balance->scale;
+        g_autofree char *value = quantity(drawing, nothing ? 0 : entry->value, account->dimension);
+        if (!nothing) draw_bar(drawing, entry, ends, y, BAR * row);
+        if (i + 1 < account->entries->len) draw_step(drawing, ends[1], y, row);
+        write_text(drawing,
+                   (TinkerText){.text = entry->name,
+                                .size = TEXT,
+                                .bold = entry->total,
+                                .limit = NAME_ROOM * width - EDGE / 2,
+                                .anchor_y = 0.5},
+                   place[0], y);
+        write_text(drawing,
+                   (TinkerText){.text = value, .size = TEXT, .bold = entry->total, .anchor_x = 1, .anchor_y = 0.5},
+                   place[2], y);
+    }
+}
+
+static void draw_account(Drawing *drawing, Which which, const double place[4])
+{
+    Account account = account_of(drawing->picture, which);
+    const double room = place[3] - place[1] - HEADING;
+    gather(&account, (guint)fmax(room / LEAST_ROW, 1));
+    const double row = fmin(MOST_ROW, room / account.entries->len);
+    g_autofree char *left = quantity(drawing, account.balance->residual, account.dimension);
+    g_autofree char *over = g_strdup_printf(_("left over: %s"), left);
+    const double room_across = fmax(place[2] - place[0], 1);
+    const TinkerText title = {.text = account.title, .size = TEXT, .bold = TRUE, .limit = room_across};
+    write_text(drawing, title, place[0], place[1]);
+    write_text(drawing, (TinkerText){.text = over, .size = TEXT - 1, .limit = room_across}, place[0],
+               place[1] + HEADING / 2 - 1);
+    draw_entries(drawing, &account, (double[]){place[0], place[1] + HEADING, place[2], place[3]}, row);
+    g_free(account.title);
+    g_array_unref(account.entries);
+}
+
+static char *title_of(const Drawing *drawing)
+{
+    static const TinkerDimension seconds = TINKER_DIMENSION_TIME;
+    const TinkerBooksPicture *picture = drawing->picture;
+    g_autoptr(GString) names = g_string_new(NULL);
+    for (const TinkerBlockId *body = picture->bodies; *body >= 0; body++)
+        g_string_append_printf(names, "%s%s", names->len > 0 ? ", " : "",
+                               tinker_scene_block_name(picture->scene, *body));
+    g_autofree char *from = quantity(drawing, picture->books->from, seconds);
+    g_autofree char *to = quantity(drawing, picture->books->to, seconds);
+    return g_strdup_printf(_("Books of %s, from %s to %s"), names->str, from, to);
+}
+
+void tinker_books_draw(cairo_t *cairo, double width, double height, void *data)
+{
+    Drawing drawing = {.picture = data, .cairo = cairo, .pen = TINKER_TEXT_PEN_INIT};
+    const int columns = width < NARROW ? 1 : 2;
+    const double top = 2 * EDGE + TITLE, column = (width - 2 * EDGE * columns) / columns,
+                 line = (height - top) * columns / ACCOUNTS;
+    set_colour(&drawing, drawing.picture->theme->background, 1);
+    cairo_paint(cairo);
+    g_autofree char *title = title_of(&drawing);
+    write_text(&drawing, (TinkerText){.text = title, .size = TITLE, .bold = TRUE, .limit = fmax(width - 2 * EDGE, 1)},
+               EDGE, EDGE / 2);
+    for (int which = 0; which < ACCOUNTS; which++) {
+        const double left = EDGE + (which % columns) * (column + 2 * EDGE), above = top + (which / columns) * line;
+        draw_account(&drawing, (Which)which, (double[]){left, above, left + column, above + line - EDGE / 2});
+    }
+    tinker_text_pen_clear(&drawing.pen);
+}

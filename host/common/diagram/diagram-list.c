@@ -1,0 +1,204 @@
+/* The forces of a diagram in numbers. */
+#include <glib/gi18n.h>
+#include <math.h>
+
+#include "common/diagram/diagram-picture-private.h"
+
+#define NOTHING   1e-12 /* components below this share of the greatest force are 0 */
+#define MOST_ROWS 10
+#define NARROW    560.0 /* canvas units: below it partners are left out, */
+#define NARROWEST 330.0 /* and below this what is along x and y */
+
+/* The list -----------------------------------------------------------------------------------------------------------
+ */
+
+enum { NAME, ALONG_X, ALONG_Y, SIZE, PARTNER, COLUMNS };
+
+typedef struct {
+    const double *colour; /* NULL: none */
+    char *texts[COLUMNS];
+    gboolean bold;
+    int lines; /* that it may take; 0 is one */
+} ListRow;
+
+static void list_row_clear(gpointer data)
+{
+    ListRow *row = data;
+    for (int i = 0; i < COLUMNS; i++)
+        g_free(row->texts[i]);
+}
+
+static void add_row(const DiagramDrawing *drawing, GArray *rows, char *name, const double force[2],
+                    const double *colour, char *partner)
+{
+    const double least = NOTHING * diagram_greatest_force(drawing->picture->diagram);
+    double shown[2]; /* without what rounding leaves */
+    for (int axis = 0; axis < 2; axis++)
+        shown[axis] = fabs(force[axis]) > least ? force[axis] : 0;
+    const ListRow row = {colour,
+                         {name, diagram_force_text(drawing, shown[0]), diagram_force_text(drawing, shown[1]),
+                          diagram_force_text(drawing, diagram_strength(force)), partner}};
+    g_array_append_val(rows, row);
+}
+
+/* What turns a body stands with its size alone. */
+static void add_torque(const DiagramDrawing *drawing, GArray *rows, char *name, double torque, const double *colour)
+{
+    const ListRow row = {colour,
+                         {name, g_strdup(""), g_strdup(""), diagram_torque_text(drawing, torque), g_strdup("")}};
+    g_array_append_val(rows, row);
+}
+
+static void add_torques(const DiagramDrawing *drawing, GArray *rows)
+{
+    for (guint i = 0; i < drawing->torques->len; i++) {
+        const TinkerDiagramForce *torque = &g_array_index(drawing->torques, TinkerDiagramForce, i);
+        const char *from = tinker_scene_block_name(drawing->scene, torque->from);
+        g_autofree char *number =
+            drawing->numbered ? g_strdup_printf("%u  ", drawing->forces->len + i + 1) : g_strdup("");
+        g_autofree char *name = g_strdup_printf(_("%s, torque"), from);
+        add_torque(drawing, rows, g_strconcat(number, name, NULL), torque->torque,
+                   tinker_arrow_colour(drawing->picture->theme, diagram_arrow_kind(torque->kind)));
+    }
+}
+
+/* What the columns are. */
+static void add_head(GArray *rows)
+{
+    const ListRow head = {NULL,
+                          {g_strdup(_("Force")), g_strdup(_("along x")), g_strdup(_("along y")),
+                           g_strdup(C_("of a force", "size")), g_strdup(_("partner"))},
+                          TRUE};
+    g_array_append_val(rows, head);
+}
+
+/* (transfer full) */
+static char *name_of(const DiagramDrawing *drawing, guint number)
+{
+    g_autofree char *name = diagram_force_name(drawing, &g_array_index(drawing->forces, TinkerDiagramForce, number));
+    return drawing->numbered ? g_strdup_printf("%u  %s", number + 1, name) : g_steal_pointer(&name);
+}
+
+/* On whom the opposite is; of a rope over a wheel where its two spans go. (transfer full) */
+static char *partner_of(const DiagramDrawing *drawing, const TinkerDiagramForce *force)
+{
+    if (force->partner < 0) return g_strdup("");
+    const char *partner = tinker_scene_block_name(drawing->scene, force->partner);
+    return force->second < 0
+               ? g_strdup_printf(_("opposite on %s"), partner)
+               : g_strdup_printf(_("on to %s and %s"), partner, tinker_scene_block_name(drawing->scene, force->second));
+}
+
+/* What is listed. */
+typedef struct {
+    guint most; /* forces */
+    gboolean notes;
+} ListChoice;
+
+/* A head, the forces, what they make, and notes in the first column. (transfer full) */
+static GArray *list_of(const DiagramDrawing *drawing, double width, ListChoice choice)
+{
+    const guint most = choice.most;
+    const TinkerTheme *theme = drawing->picture->theme;
+    const TinkerDiagram *diagram = drawing->picture->diagram;
+    GArray *rows = g_array_new(FALSE, TRUE, sizeof(ListRow));
+    g_array_set_clear_func(rows, list_row_clear);
+    if (drawing->forces->len + drawing->torques->len > 0 || diagram->moves) add_head(rows);
+    for (guint i = 0; i < drawing->forces->len && i < most; i++) {
+        const TinkerDiagramForce *force = &g_array_index(drawing->forces, TinkerDiagramForce, i);
+        add_row(drawing, rows, name_of(drawing, i), force->force,
+                tinker_arrow_colour(theme, diagram_arrow_kind(force->kind)), partner_of(drawing, force));
+    }
+    if (drawing->forces->len > most) {
+        const ListRow more = {NULL, {g_strdup_printf(_("and %u more"), drawing->forces->len - most)}};
+        g_array_append_val(rows, more);
+    }
+    add_torques(drawing, rows);
+    if (diagram->moves) {
+        static const double none[2] = {0, 0};
+        add_row(drawing, rows, g_strdup(width < NARROWEST ? "= m a" : _("together = m a")),
+                diagram_has_resultant(diagram) ? diagram->kinetic : none,
+                tinker_arrow_colour(theme, TINKER_ARROW_MOTION), g_strdup(""));
+        if (!isnan(diagram->inertia))
+            add_torque(drawing, rows, g_strdup("I α"), diagram_has_turning(diagram) ? diagram->turning : 0,
+                       tinker_arrow_colour(theme, TINKER_ARROW_MOTION));
+    }
+    g_autoptr(GPtrArray) notes = diagram_notes(drawing);
+    for (guint i = 0; choice.notes && i < notes->len; i++) {
+        const ListRow note = {NULL, {g_strdup(g_ptr_array_index(notes, i))}, FALSE, width < NARROWEST ? 2 : 1};
+        g_array_append_val(rows, note);
+    }
+    return rows;
+}
+
+static double height_of(const GArray *rows)
+{
+    double height = 0;
+    for (guint i = 0; i < rows->len; i++)
+        height += DIAGRAM_ROW * MAX(g_array_index(rows, ListRow, i).lines, 1);
+    return height;
+}
+
+double diagram_list_height(const DiagramDrawing *drawing, double width)
+{
+    g_autoptr(GArray) rows = list_of(drawing, width, (ListChoice){MOST_ROWS, TRUE});
+    return height_of(rows);
+}
+
+/* Where columns end, for numbers, or begin; below 0 for those that are left out. */
+static const double *ends_of(double width)
+{
+    static const double wide[COLUMNS] = {0, 0.46, 0.58, 0.7, 0.72}, narrow[COLUMNS] = {0, 0.6, 0.8, 0.98, -1},
+                        narrowest[COLUMNS] = {0, -1, -1, 0.95, -1};
+    return width < NARROWEST ? narrowest : width < NARROW ? narrow : wide;
+}
+
+static void draw_row(DiagramDrawing *drawing, const ListRow *row, double width, double y)
+{
+    const double *ends = ends_of(width);
+    const gboolean whole = row->texts[ALONG_X] == NULL;
+    if (row->colour != NULL) {
+        diagram_set_colour(drawing->cairo, row->colour);
+        cairo_rectangle(drawing->cairo, DIAGRAM_EDGE, y - 4, 8, 8);
+        cairo_fill(drawing->cairo);
+    }
+    for (int k = 0; k < COLUMNS; k++) {
+        const gboolean number = k >= ALONG_X && k <= SIZE;
+        if (row->texts[k] == NULL || ends[k] < 0) continue;
+        const double limit = whole          ? width - 2 * DIAGRAM_EDGE
+                             : k == NAME    ? (width < NARROWEST ? 0.55 : 0.3) * width
+                             : k == PARTNER ? 0.28 * width - DIAGRAM_EDGE
+                                            : 0;
+        diagram_write(drawing,
+                      (TinkerText){.text = row->texts[k],
+                                   .size = DIAGRAM_TEXT,
+                                   .bold = row->bold,
+                                   .keeps_end = !whole && k == NAME,
+                                   .limit = fmax(limit, 0),
+                                   .lines = row->lines,
+                                   .anchor_x = number,
+                                   .anchor_y = 0.5},
+                      k == NAME ? DIAGRAM_EDGE + (whole ? 0 : 14) : ends[k] * width, y);
+    }
+}
+
+void diagram_draw_list(DiagramDrawing *drawing, const double place[4])
+{
+    const double width = place[2] - place[0];
+    ListChoice choice = {MIN(MOST_ROWS, drawing->forces->len), TRUE};
+    GArray *rows = list_of(drawing, width, choice);
+    while ((choice.notes || choice.most > 1) && height_of(rows) > place[3] - place[1]) {
+        choice.most -= choice.notes ? 0 : 1;
+        choice.notes = FALSE;
+        g_array_unref(rows);
+        rows = list_of(drawing, width, choice);
+    }
+    double y = place[1];
+    for (guint i = 0; i < rows->len; i++) {
+        const ListRow *row = &g_array_index(rows, ListRow, i);
+        const double height = DIAGRAM_ROW * MAX(row->lines, 1);
+        draw_row(drawing, row, width, y + height / 2);
+        y += height;
+    }
+    g_array_unref(rows);
+}
