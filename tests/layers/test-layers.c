@@ -270,7 +270,7 @@ static void test_table_is_complete(void)
     }
 }
 
-/* Every file of a folder with rooms stands in one of them, and a room holds what one can look over. */
+/* Every file of a folder with rooms stands in one of them, and a room says in a few lines what it is. */
 static void test_rooms_are_complete(gconstpointer data)
 {
     const Rooms *rooms = data;
@@ -287,11 +287,30 @@ static void test_rooms_are_complete(gconstpointer data)
     for (int i = 0; rooms->rooms[i] != NULL; i++) {
         g_autofree char *readme = g_build_filename(root, rooms->rooms[i], "README.md", NULL), *text = NULL;
         g_assert_cmpuint(sources[i], >, 0);
-        g_assert_cmpuint(sources[i], <=, 25);
         if (!g_file_get_contents(readme, &text, NULL, NULL)) g_error("%s is missing", readme);
         g_auto(GStrv) lines = g_strsplit(text, "\n", -1);
         g_assert_cmpuint(g_strv_length(lines), <=, 31);
     }
+}
+
+/* A folder holds what one can look over: at most 25 .c files beside one another. */
+static void test_folders_are_small(gconstpointer data)
+{
+    const char *top = data;
+    g_autofree char *root = source_path(top);
+    g_autoptr(GHashTable) sources = g_hash_table_new_full(g_str_hash, g_str_equal, g_free, NULL);
+    g_autoptr(GPtrArray) files = source_files(root);
+    for (guint i = 0; i < files->len; i++) {
+        if (!g_str_has_suffix(files->pdata[i], ".c")) continue;
+        char *folder = g_path_get_dirname(files->pdata[i]);
+        const guint count = GPOINTER_TO_UINT(g_hash_table_lookup(sources, folder)) + 1;
+        if (count == 26) {
+            g_test_message("%s/%s holds more than 25 .c files: divide it into rooms", top, folder);
+            g_test_fail();
+        }
+        g_hash_table_insert(sources, folder, GUINT_TO_POINTER(count));
+    }
+    g_assert_cmpuint(g_hash_table_size(sources), >, 0);
 }
 
 /* Every test's source is built: the meson.build of its folder names it, whole or by what stands behind "test-". */
@@ -405,6 +424,10 @@ int main(int argc, char **argv)
         g_autofree char *path = g_strconcat("/rooms/", folders_with_rooms[i].folder, NULL);
         g_test_add_data_func(path, &folders_with_rooms[i], test_rooms_are_complete);
     }
+    g_test_add_data_func("/folders/core", "core", test_folders_are_small);
+    g_test_add_data_func("/folders/host", "host", test_folders_are_small);
+    g_test_add_data_func("/folders/sdk", "sdk", test_folders_are_small);
+    g_test_add_data_func("/folders/plugins", "plugins", test_folders_are_small);
     g_test_add_func("/tests/are-built", test_tests_are_built);
     g_test_add_data_func("/names/core", "core", test_no_block_is_named);
     g_test_add_data_func("/names/host", "host", test_no_block_is_named);
