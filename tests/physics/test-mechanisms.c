@@ -150,13 +150,18 @@ static void add_bar(GString *blocks, GPtrArray *nodes, int number, int from, int
     }
 }
 
-/* A cantilever of so many squares with both diagonals, of which one is redundant in each: by statics its weight hangs
- * on the wall, and the couple of the two places there holds its moment. */
-static void test_long_truss(void)
+enum { SQUARES = 60 };
+
+/* At the wall, in the order of the bars: below, above, below, and above once more. */
+#define AT_WALL                                                                                                        \
+    "Pin 0.force x, Pin 2.force x, Pin 1.force x, Pin 4.force x, Pin 0.force y, Pin 2.force y, Pin 1.force y, "        \
+    "Pin 4.force y"
+
+/* A cantilever of so many squares with both diagonals, of which one is redundant in each. (transfer full) */
+static char *long_truss(void)
 {
-    enum { SQUARES = 60 };
-    g_autoptr(GString) blocks = g_string_new("{'type': 'gravity'}, {'type': 'support', 'solid': false}, "
-                                             "{'type': 'support', 'position': [0, 1], 'solid': false}");
+    GString *blocks = g_string_new("{'type': 'gravity'}, {'type': 'support', 'solid': false}, "
+                                   "{'type': 'support', 'position': [0, 1], 'solid': false}");
     g_autoptr(GPtrArray) nodes = g_ptr_array_new_with_free_func(g_free);
     g_ptr_array_set_size(nodes, 2 * SQUARES + 2);
     nodes->pdata[0] = g_strdup("'Support 0'");
@@ -166,21 +171,48 @@ static void test_long_truss(void)
         for (int k = 0; k < 5; k++)
             add_bar(blocks, nodes, 5 * i + k, 2 * i + bars[k][0], 2 * i + bars[k][1]);
     }
-    /* at the wall, in the order of the bars: below, above, below, and above once more */
+    return g_string_free(blocks, FALSE);
+}
+
+/* By statics its weight, as heavy as it is made, hangs on the wall, and the couple of the two places there holds its
+ * moment. */
+static void assert_holds(const PhysicsRun *run, gsize sample, double heavier)
+{
+    const double weight = 5 * SQUARES * 9.81 * heavier, moment = weight * (0.5 * SQUARES + 0.1);
+    double sums[3] = {0};
+    for (gsize k = 0; k < 8; k++)
+        sums[k / 4 == 1 ? 2 : k / 2] += physics_value(run, sample, k);
+    physics_assert_near("couple below", fabs(sums[0]), moment, 1e-7 * moment);
+    physics_assert_near("couple above", sums[1], -sums[0], 1e-7 * moment);
+    physics_assert_near("weight", fabs(sums[2]), weight, 1e-7 * weight);
+}
+
+static void test_long_truss(void)
+{
+    g_autofree char *blocks = long_truss();
     g_autoptr(PhysicsRun) run =
-        physics_run(&(PhysicsOptions){.method = "auto",
-                                      .duration = 0.1,
-                                      .columns = "Pin 0.force x, Pin 2.force x, Pin 1.force x, Pin 4.force x, "
-                                                 "Pin 0.force y, Pin 2.force y, Pin 1.force y, Pin 4.force y"},
-                    "%s", blocks->str);
-    const double weight = 5 * SQUARES * 9.81, moment = weight * (0.5 * SQUARES + 0.1);
+        physics_run(&(PhysicsOptions){.method = "auto", .duration = 0.1, .columns = AT_WALL}, "%s", blocks);
+    for (gsize i = 0; i < physics_samples(run); i++)
+        assert_holds(run, i, 1);
+}
+
+/* The wall moves up by sin(2 t) / 2, and takes the truss along from the start on, as one body. */
+static void test_lifted_truss(void)
+{
+    static const char lifts[] = "{'type': 'support-motion', 'ends': ['Support %d'], 'angle': '90 deg', 'waveform': "
+                                "{'expression': '0.5*sin(2*t)'}}";
+    g_autofree char *blocks = long_truss(), *below = g_strdup_printf(lifts, 0), *above = g_strdup_printf(lifts, 1);
+    g_autoptr(PhysicsRun) run = physics_run(&(PhysicsOptions){.method = "auto",
+                                                              .duration = 0.1,
+                                                              .columns = AT_WALL ", B0.vy, B299.vy, B299.angular "
+                                                                                 "velocity"},
+                                            "%s, %s, %s", blocks, below, above);
     for (gsize i = 0; i < physics_samples(run); i++) {
-        double sums[3] = {0};
-        for (gsize k = 0; k < 8; k++)
-            sums[k / 4 == 1 ? 2 : k / 2] += physics_value(run, i, k);
-        physics_assert_near("couple below", fabs(sums[0]), moment, 1e-7 * moment);
-        physics_assert_near("couple above", sums[1], -sums[0], 1e-7 * moment);
-        physics_assert_near("weight", fabs(sums[2]), weight, 1e-7 * weight);
+        const double t = physics_time(run, i);
+        assert_holds(run, i, 1 - 2 * sin(2 * t) / 9.81);
+        physics_assert_near("speed of the first", physics_value(run, i, 8), cos(2 * t), 1e-7);
+        physics_assert_near("of the last", physics_value(run, i, 9), cos(2 * t), 1e-7);
+        physics_assert_near("its turning", physics_value(run, i, 10), 0, 1e-7);
     }
 }
 
@@ -191,6 +223,7 @@ static void add_tests(void)
     g_test_add_func("/mechanisms/welded-bars", test_welded_bars);
     g_test_add_func("/mechanisms/welded-fall", test_welded_fall);
     g_test_add_func("/mechanisms/long-truss", test_long_truss);
+    g_test_add_func("/mechanisms/lifted-truss", test_lifted_truss);
 }
 
 int main(int argc, char **argv)

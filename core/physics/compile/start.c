@@ -209,14 +209,20 @@ static gboolean refuse_contradiction(TinkerModel *model, const double *a, GError
     return FALSE;
 }
 
-/* The start velocities meet what is prescribed, of drives and of supports that move, unless several prescribe the same
- * freedom: then what they ask for has to be the same. */
-static gboolean check_velocities(TinkerModel *model, const double *given, GError **error)
+/* What a solve of the rows from `given` on misses of them, as a share of what is asked; its answer is `found`. */
+typedef double (*Missed)(TinkerModel *model, const double *given, double *found);
+
+/* Of velocities. */
+static double missed_velocity(TinkerModel *model, const double *given, double *found)
 {
     const TinkerConstraints *all = &model->constraints;
+    const gsize bytes = (gsize)model->coordinates * sizeof(double);
     double missed = 0, asked, *velocity = all->by_point;
-    if (!all->prescribed && model->moving_supports == 0) return TRUE;
-    tinker_model_set_state(model, model->q_start, model->v_start);
+    gboolean moved;
+    memcpy(found, given, bytes);
+    tinker_model_set_state(model, model->q_start, given);
+    tinker_constraints_correct_velocities(model, found, FALSE, &moved);
+    tinker_model_set_state(model, model->q_start, found);
     for (int32_t i = model->first_attachment; i < model->points; i++) {
         velocity[2 * i] = model->point[i].vx;
         velocity[2 * i + 1] = model->point[i].vy;
@@ -224,24 +230,18 @@ static gboolean check_velocities(TinkerModel *model, const double *given, GError
     tinker_constraints_rates(model, all->residual);
     for (int32_t row = 0; row < all->rows; row++)
         missed = MAX(missed, fabs(all->residual[row]));
-    memcpy(velocity, given, (gsize)model->coordinates * sizeof(double));
+    memcpy(velocity, given, bytes);
     asked = largest_demand(model, velocity, all->rate);
-    memcpy(velocity, model->v_start, (gsize)model->coordinates * sizeof(double));
+    memcpy(velocity, found, bytes);
     asked = MAX(asked, largest_demand(model, velocity, all->rate));
-    if (missed <= TINKER_START_MISS * asked) return TRUE;
-    g_autofree char *names = names_of_residual(model);
-    g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_CONTRADICTION,
-                _("%s: no velocity satisfies these constraints at the start: what is prescribed there contradicts "
-                  "another constraint (remove one, or let both ask for the same)"),
-                names);
-    return FALSE;
+    return missed > 0 ? missed / asked : 0;
 }
 
-/* What accelerations that are found for the applied ones miss of the rows, as a share of what is asked of them. */
-static double missed_share(TinkerModel *model, const double *applied, double *a)
+/* Of accelerations, from the applied ones on. */
+static double missed_acceleration(TinkerModel *model, const double *applied, double *found)
 {
-    memcpy(a, applied, (gsize)model->coordinates * sizeof(double));
-    const double missing = tinker_constraints_accelerate(model, a),
+    memcpy(found, applied, (gsize)model->coordinates * sizeof(double));
+    const double missing = tinker_constraints_accelerate(model, found),
                  asked = largest_demand(model, model->point_acceleration, model->constraints.drift);
     return missing > 0 ? missing / asked : 0;
 }
@@ -255,20 +255,40 @@ static void take_shift(TinkerConstraints *all, double shift)
 /* Rows that depend on each other are solved with a shift. What it leaves out may be too much of rows that are nearly
  * dependent, as the bending of a long truss: then a smaller one meets them, and none does where they contradict each
  * other. Answers what the best misses. */
-static double choose_shift(TinkerModel *model, const double *applied, double *a)
+static double choose_shift(TinkerModel *model, Missed missed_of, const double *given, double *found)
 {
     TinkerConstraints *all = &model->constraints;
-    double least = missed_share(model, applied, a), best = all->shift;
+    double least = missed_of(model, given, found), best = all->shift;
     if (all->redundant == 0) return least;
     while (least > TINKER_MET && all->shift * TINKER_SHIFT_STEP >= TINKER_LEAST_SHIFT) {
         take_shift(all, all->shift * TINKER_SHIFT_STEP);
-        const double missed = missed_share(model, applied, a);
+        const double missed = missed_of(model, given, found);
         if (!(missed < 0.5 * least)) continue;
         least = missed;
         best = all->shift;
     }
     take_shift(all, best);
-    return missed_share(model, applied, a);
+    return missed_of(model, given, found);
+}
+
+/* Brings the start velocities to the rows. They meet what is prescribed, of drives and of supports that move, unless
+ * several prescribe the same freedom: then what they ask for has to be the same. */
+static gboolean correct_velocities(TinkerModel *model, GError **error)
+{
+    const gsize bytes = (gsize)MAX(model->coordinates, 1) * sizeof(double);
+    const gboolean prescribed = model->constraints.prescribed || model->moving_supports > 0;
+    g_autofree double *given = g_memdup2(model->v_start, bytes);
+    const double missed = choose_shift(model, missed_velocity, given, model->v_start);
+    if (!prescribed || missed <= TINKER_START_MISS) {
+        if (memcmp(given, model->v_start, bytes) != 0) warn_start_velocity(model, given);
+        return TRUE;
+    }
+    g_autofree char *names = names_of_residual(model);
+    g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_CONTRADICTION,
+                _("%s: no velocity satisfies these constraints at the start: what is prescribed there contradicts "
+                  "another constraint (remove one, or let both ask for the same)"),
+                names);
+    return FALSE;
 }
 
 static gboolean check_accelerations(TinkerModel *model, GError **error)
@@ -278,7 +298,7 @@ static gboolean check_accelerations(TinkerModel *model, GError **error)
     tinker_model_set_state(model, model->q_start, model->v_start);
     if (tinker_model_applied(model, applied, FALSE) != TINKER_OK || tinker_constraints_evaluate(model) != TINKER_OK)
         return run_error(model, TINKER_MODEL_ERROR_RUN, error);
-    if (choose_shift(model, applied, a) <= TINKER_START_MISS) return TRUE;
+    if (choose_shift(model, missed_acceleration, applied, a) <= TINKER_START_MISS) return TRUE;
     return refuse_contradiction(model, a, error);
 }
 
@@ -307,8 +327,5 @@ gboolean tinker_model_check_start(TinkerModel *model, GError **error)
     slacken(model, FALSE);
     if (all->unilateral != NULL && tinker_constraints_evaluate(model) != TINKER_OK)
         return run_error(model, TINKER_MODEL_ERROR_RUN, error);
-    g_autofree double *given = g_memdup2(model->v_start, (gsize)MAX(model->coordinates, 1) * sizeof(double));
-    tinker_constraints_correct_velocities(model, model->v_start, FALSE, &moved);
-    if (moved) warn_start_velocity(model, given);
-    return check_velocities(model, given, error) && check_accelerations(model, error);
+    return correct_velocities(model, error) && check_accelerations(model, error);
 }
