@@ -109,8 +109,94 @@ static void test_turning(void)
     physics_assert_near("lets go", physics_last(run, 1), 0, 0);
 }
 
+/* A rod holds the distance just within the range of what acts beyond it, or before it: the swing is that of the rod
+ * alone, in as many steps. */
+static void test_held_within(void)
+{
+    static const char *const laws[] = {
+        "'law-connector', 'ends': ['Support 0', 'Mass 0'], 'tension': '1000*ramp(L - %.17g)'",
+        "'bumper', 'ends': ['Support 0', 'Mass 0'], 'length': %.17g"};
+    static const double rooms[] = {0, 1e-12, 1e-9, 1e-7, 1e-4};
+    for (gsize i = 0; i < G_N_ELEMENTS(laws) * G_N_ELEMENTS(rooms); i++) {
+        const gboolean beyond = i % 2 == 0;
+        const double room = rooms[i / G_N_ELEMENTS(laws)], angle = 0.7, end = beyond ? 1 + room : 1 - room;
+        GString *law = g_string_new("");
+        g_string_append_printf(law, "%s", laws[i % G_N_ELEMENTS(laws)]);
+        g_autofree char *number = g_strdup_printf("%.17g", end);
+        g_string_replace(law, "%.17g", number, 1);
+        g_autofree char *text = g_string_free(law, FALSE);
+        g_autoptr(PhysicsRun) run = physics_run(
+            &(PhysicsOptions){.duration = 10, .tolerance = 1e-9, .columns = "Mass 0.x, Mass 0.y"},
+            "{'type': 'support', 'position': [3, 2], 'solid': false}, {'type': 'mass', 'position': [%.17g, %.17g],"
+            " 'velocity': [%.17g, %.17g]}, {'type': 'rod', 'ends': ['Support 0', 'Mass 0']}, {'type': %s}",
+            3 + cos(angle), 2 + sin(angle), -sin(angle), cos(angle), text);
+        physics_assert_near("x", physics_last(run, 0), 3 + cos(angle + 10), 1e-6);
+        physics_assert_near("y", physics_last(run, 1), 2 + sin(angle + 10), 1e-6);
+        g_assert_cmpint(run->summary->steps, <, 100);
+    }
+}
+
+/* m: where a mass of 1 kg on a cord of 1 m, across which it flies off with v, is farthest: both its energy and r^2 w =
+ * v stay. */
+static double stretch(double r, const void *data)
+{
+    const double v = *(const double *)data;
+    return 0.5 * v * v * (1 - 1 / (r * r)) - 500 * (r - 1) * (r - 1);
+}
+
+#define CORD                                                                                                           \
+    "{'type': 'support', 'solid': false}, {'type': 'law-connector', 'ends': ['Support 0', 'Mass 0'],"                  \
+    " 'tension': '1000*ramp(L - 1)'}, "
+
+static const char *const both[] = {"dop853", "dopri5"};
+
+/* Off across the cord from where it begins to pull: its length grows with the square of time. */
+static void test_across(void)
+{
+    const double v = 2, farthest = contact_bisect(1.001, 1.1, stretch, &v);
+    for (gsize i = 0; i < G_N_ELEMENTS(both); i++) {
+        g_autoptr(PhysicsRun) run = physics_run(&(PhysicsOptions){.duration = 3,
+                                                                  .interval = 1e-3,
+                                                                  .method = both[i],
+                                                                  .tolerance = 1e-10,
+                                                                  .columns = "Mass 0.x, Mass 0.y"},
+                                                CORD "{'type': 'mass', 'position': [1, 0], 'velocity': [0, %g]}", v);
+        double most = 0;
+        for (gsize k = 0; k < physics_samples(run); k++)
+            most = fmax(most, hypot(physics_value(run, k, 0), physics_value(run, k, 1)));
+        physics_assert_near("farthest", most, farthest, 1e-5);
+    }
+}
+
+/* Let go level with its end, and at the top of a circle on which weight alone keeps it at first: its length grows with
+ * the fourth power of time. The energy stays. */
+static void test_slowly_across(void)
+{
+    for (gsize i = 0; i < 2 * G_N_ELEMENTS(both); i++) {
+        const gboolean level = i % 2 == 0;
+        g_autoptr(PhysicsRun) run =
+            physics_run(&(PhysicsOptions){.duration = 2,
+                                          .interval = 1e-2,
+                                          .method = both[i / 2],
+                                          .tolerance = 1e-10,
+                                          .columns = "Mass 0.x, Mass 0.y, Mass 0.vx, Mass 0.vy"},
+                        CONTACT_WEIGHT CORD "{'type': 'mass', 'position': [%d, %d], 'velocity': [%.17g, 0]}", level,
+                        !level, level ? 0 : sqrt(CONTACT_GRAVITY));
+        const double energy = level ? 0 : 1.5 * CONTACT_GRAVITY;
+        for (gsize k = 0; k < physics_samples(run); k++) {
+            const double x = physics_value(run, k, 0), y = physics_value(run, k, 1);
+            const double v = hypot(physics_value(run, k, 2), physics_value(run, k, 3));
+            const double longer = fmax(hypot(x, y) - 1, 0);
+            physics_assert_near("energy", 0.5 * v * v + CONTACT_GRAVITY * y + 500 * longer * longer, energy, 1e-7);
+        }
+    }
+}
+
 static void add_tests(void)
 {
+    g_test_add_func("/physics/bumper/held-within", test_held_within);
+    g_test_add_func("/physics/bumper/across", test_across);
+    g_test_add_func("/physics/bumper/slowly-across", test_slowly_across);
     g_test_add_func("/physics/bumper/flights", test_flights);
     g_test_add_func("/physics/bumper/turning", test_turning);
     g_test_add_func("/physics/bumper/rebound", test_rebound);

@@ -6,15 +6,14 @@
 #include <string.h>
 
 #include "physics/event/tolerances.h"
-#include "physics/line/linear-form.h"
 #include "physics/model/model-data.h"
 #include "physics/system/method-call.h"
 #include "physics/system/system.h"
 
 /* Halvings of a range of lengths, to rounding. */
 #define HALVINGS 100
-/* Ways of which each is too short to leave the range. */
-#define WAYS 200
+/* Parts of a step that are looked at. */
+#define PARTS 400
 
 typedef struct {
     int32_t a, b;        /* points */
@@ -105,6 +104,7 @@ static void list_lines(TinkerIdleLines *self)
 
 TinkerIdleLines *tinker_idle_lines_new(TinkerIslandRun *run)
 {
+    if (!tinker_method_is_adaptive(run->choice.method)) return NULL;
     TinkerIdleLines *self = g_new0(TinkerIdleLines, 1);
     *self = (TinkerIdleLines){run, run->model, g_array_new(FALSE, FALSE, sizeof(Line)), NULL};
     list_lines(self);
@@ -138,31 +138,21 @@ static Ends ends_of(const TinkerModel *model, const Line *line)
     return (Ends){{b->x - a->x, b->y - a->y}, {b->vx - a->vx, b->vy - a->vy}, {by_b[0] - by_a[0], by_b[1] - by_a[1]}};
 }
 
-/* Brings points and their accelerations to the run's state. */
+/* Brings points and their accelerations to the run's state: its coordinates are the model's, as no part of a scene with
+ * such a line is linear. */
 static TinkerStatus place(TinkerIdleLines *self)
 {
-    TinkerIslandRun *run = self->run;
+    const TinkerState *state = &self->run->state;
     TinkerModel *model = self->model;
-    TinkerSystem *system = &run->system.system;
+    TinkerSystem *system = &self->run->system.system;
     const gint64 evaluations = model->evaluations;
-    TinkerStatus status =
-        system->acceleration(system->context, run->state.t, run->state.q, run->state.v, self->acceleration, NULL);
+    TinkerStatus status = system->acceleration(system->context, state->t, state->q, state->v, self->acceleration, NULL);
     model->evaluations = evaluations; /* looking costs the method nothing */
+    if (status == TINKER_OK) status = tinker_model_set_time(model, state->t);
     if (status != TINKER_OK) return status;
-    tinker_island_run_place(run);
-    status = tinker_model_set_time(model, run->state.t);
-    if (status != TINKER_OK) return status;
-    tinker_model_set_state(model, run->q, run->v);
-    double direction[2];
-    if (run->q == run->state.q) {
-        memcpy(model->point_acceleration, self->acceleration, (gsize)model->coordinates * sizeof(double));
-        if (model->turning > 0) tinker_model_accelerate_attachments(model);
-        return TINKER_OK;
-    }
-    tinker_linear_form_is_straight(run->island->linear, direction);
-    for (int32_t body = 0; body < model->bodies; body++)
-        for (int k = 0; k < 2; k++)
-            model->point_acceleration[2 * body + k] = self->acceleration[body] * direction[k];
+    tinker_model_set_state(model, state->q, state->v);
+    memcpy(model->point_acceleration, self->acceleration, (gsize)model->coordinates * sizeof(double));
+    if (model->turning > 0) tinker_model_accelerate_attachments(model);
     return TINKER_OK;
 }
 
@@ -178,53 +168,96 @@ static double room_of(const Line *line, double length)
     return fmin(room_inwards(line, length), line->beyond - length);
 }
 
-/* m/s: how fast the room shrinks; of what rests, m/s^2. */
-static double closing_of(const Line *line, const Ends *ends, double length)
+/* The square of the distance of ends that go on as they are accelerated, as a polynomial of the time, c[0] + c[1] t +
+ * ... A rate and a growth that are rounding are 0. */
+typedef struct {
+    double c[5];
+} Square;
+
+static double product(const double a[2], const double b[2])
 {
-    const double outwards = room_inwards(line, length) < line->beyond - length ? -1.0 : 1.0;
-    const double rate = outwards * (ends->d[0] * ends->u[0] + ends->d[1] * ends->u[1]) / length;
-    return rate != 0 ? rate : outwards * (ends->d[0] * ends->a[0] + ends->d[1] * ends->a[1]) / length;
+    return a[0] * b[0] + a[1] * b[1];
 }
 
-/* s: so long after t the ends, going on as they are accelerated, may at the earliest have covered a way (m). */
-static double soonest(const Ends *ends, double t, double way)
+static Square square_of(const Ends *ends)
 {
-    const double strongest = hypot(ends->a[0], ends->a[1]);
-    const double speed = hypot(ends->u[0] + t * ends->a[0], ends->u[1] + t * ends->a[1]);
-    return 2 * way / (speed + sqrt(speed * speed + 2 * strongest * way));
+    const double dd = product(ends->d, ends->d), uu = product(ends->u, ends->u), aa = product(ends->a, ends->a);
+    const double rate = product(ends->d, ends->u), growth = uu + product(ends->d, ends->a);
+    const gboolean changes = fabs(rate) > TINKER_IDLE_STEADY * sqrt(dd * uu);
+    const gboolean bends = fabs(growth) > TINKER_IDLE_STEADY * (uu + sqrt(dd * aa));
+    return (Square){{dd, changes ? 2 * rate : 0, bends ? growth : 0, product(ends->u, ends->a), 0.25 * aa}};
 }
 
-/* s: how long the ends stay within the range, at most `most`; never too long. Each way ends where the room that there
- * is, but for half of what is nothing, could be used up at the earliest: a step that ends beyond the range by rounding
- * would have met the force. */
-static double time_within(const Line *line, const Ends *ends, double most)
+/* Whether it stays between two squares from t on for so long: it lies between its control points. */
+static gboolean stays(const Square *square, const double range[2], double t, double part)
 {
-    double t = 0;
-    for (int i = 0; i < WAYS && t < most; i++) {
-        const double x = ends->d[0] + t * (ends->u[0] + 0.5 * t * ends->a[0]);
-        const double y = ends->d[1] + t * (ends->u[1] + 0.5 * t * ends->a[1]);
-        const double room = room_of(line, hypot(x, y));
-        if (i > 0 && !(room > line->nothing)) return t;
-        t += soonest(ends, t, fmax(room, line->nothing) - 0.5 * line->nothing);
+    static const double weights[5][5] = {{1, 0, 0, 0, 0},
+                                         {1, 1.0 / 4, 0, 0, 0},
+                                         {1, 1.0 / 2, 1.0 / 6, 0, 0},
+                                         {1, 3.0 / 4, 1.0 / 2, 1.0 / 4, 0},
+                                         {1, 1, 1, 1, 1}};
+    const double *c = square->c;
+    const double from_there[5] = {c[0] + t * (c[1] + t * (c[2] + t * (c[3] + t * c[4]))),
+                                  part * (c[1] + t * (2 * c[2] + t * (3 * c[3] + t * 4 * c[4]))),
+                                  part * part * (c[2] + t * (3 * c[3] + t * 6 * c[4])),
+                                  part * part * part * (c[3] + t * 4 * c[4]), part * part * part * part * c[4]};
+    for (int i = 0; i < 5; i++) {
+        double at = 0;
+        for (int k = 0; k < 5; k++)
+            at += weights[i][k] * from_there[k];
+        if (!(at >= range[0] && at <= range[1])) return FALSE;
     }
-    return fmin(t, most);
+    return TRUE;
 }
 
-/* A step that begins at the end of the range goes only so far beyond it that the next one begins with the force. */
+/* s: how long the ends stay within the range, but for so much (m) at its ends, at most `most`; never too long. Ends
+ * that are beyond that start at it. */
+static double time_within(const Line *line, Square square, double margin, double most)
+{
+    const double from = line->from + margin, beyond = line->beyond - margin;
+    const double range[2] = {line->from > 0 && from > 0 ? from * from : -INFINITY, beyond * beyond};
+    double t = 0, part = most;
+    square.c[0] = CLAMP(square.c[0], range[0], range[1]);
+    for (int i = 0; i < PARTS && t < most && part > DBL_EPSILON * t; i++) {
+        if (!stays(&square, range, t, part)) {
+            part *= 0.5;
+            continue;
+        }
+        if (part >= most - t) return most;
+        t += part;
+        part = fmin(2 * part, most - t);
+    }
+    return t;
+}
+
+/* Whether the ends, near an end of the range, move out of it; or turn about each other at a distance that only what
+ * accelerates them later on would change. Neither comes nearer to the end in smaller steps. */
+static gboolean is_at_end(const Line *line, const Square *square, double length)
+{
+    const double room = room_of(line, length), *c = square->c;
+    const double outwards = room_inwards(line, length) < line->beyond - length ? -1.0 : 1.0;
+    if (c[1] == 0 && c[2] == 0) return room <= TINKER_IDLE_BEYOND * length;
+    return room <= line->nothing && outwards * (c[1] != 0 ? c[1] : c[2]) > 0;
+}
+
+/* A step that begins at the end of the range goes only so far beyond it that the next one begins with the force; any
+ * other ends within it by half of what is nothing: one that ends beyond by rounding would have met the force. */
 static double limit_of(const TinkerIdleLines *self, const Line *line, double limit)
 {
     const Ends ends = ends_of(self->model, line);
-    const double length = hypot(ends.d[0], ends.d[1]), room = room_of(line, length), from = self->run->state.t;
-    if (!(room >= -line->nothing) || !(length > 0)) return limit;
-    const double within = time_within(line, &ends, limit - from);
-    const gboolean at_end = room <= line->nothing && closing_of(line, &ends, length) > 0;
-    if (!at_end && within > TINKER_IDLE_END * fabs(from)) return fmin(limit, from + within);
-    return fmin(limit, from + soonest(&ends, 0, TINKER_IDLE_BEYOND * length));
+    const double length = hypot(ends.d[0], ends.d[1]), from = self->run->state.t;
+    if (!(room_of(line, length) >= -line->nothing) || !(length > 0)) return limit;
+    const Square square = square_of(&ends);
+    double within = 0;
+    if (!is_at_end(line, &square, length)) within = time_within(line, square, 0.5 * line->nothing, limit - from);
+    if (!(within > TINKER_IDLE_END * fabs(from)))
+        within = time_within(line, square, -TINKER_IDLE_BEYOND * length, limit - from);
+    return within < limit - from ? from + within : limit;
 }
 
 double tinker_idle_lines_limit(TinkerIdleLines *self, double limit)
 {
-    if (!tinker_method_is_adaptive(self->run->choice.method) || place(self) != TINKER_OK) return limit;
+    if (place(self) != TINKER_OK) return limit;
     for (guint i = 0; i < self->lines->len; i++)
         limit = limit_of(self, &g_array_index(self->lines, Line, i), limit);
     return limit;

@@ -108,6 +108,9 @@
 #define TINKER_IDLE_END 1e-11
 /* No unit; of a length: so far beyond the end of its range a first step goes. */
 #define TINKER_IDLE_BEYOND 1e-3
+/* No unit; of the speed, and of what a distance is accelerated by: a distance that changes by less, as that of two
+ * places of one bar, is one that stays. */
+#define TINKER_IDLE_STEADY 1e-9
 /* No unit; of the fastest: a typed law that a fixed step passes over is told where its impulse is above this. */
 #define TINKER_LAW_MISSED 1e-3
 /* m/s: what a typed law gives to what has never moved is nothing below this, as the tail of an exponential. */

@@ -156,35 +156,52 @@ static Way way_of(const TinkerLawForce *law, const TinkerLawStep *step, int axis
 
 /* Laws ------------------------------------------------------------------------------------------------------------- */
 
-static TinkerInterval length_of(const Reach reach[2])
+/* Where two ends may be to each other in a part of a step: apart in x and y, and in their distance. */
+typedef struct {
+    Reach axis[2], length;
+} Between;
+
+static Reach length_of_box(const Reach axis[2])
 {
-    return tinker_interval_sqrt(
-        tinker_interval_add(tinker_interval_power(reach[0].place, 2), tinker_interval_power(reach[1].place, 2)));
+    const TinkerInterval length = tinker_interval_sqrt(
+        tinker_interval_add(tinker_interval_power(axis[0].place, 2), tinker_interval_power(axis[1].place, 2)));
+    const TinkerInterval product = tinker_interval_add(tinker_interval_multiply(axis[0].place, axis[0].rate),
+                                                       tinker_interval_multiply(axis[1].place, axis[1].rate));
+    return (Reach){length, tinker_interval_divide(product, length)};
 }
 
-static TinkerInterval lengthening_of(const Reach reach[2])
+/* Ends that turn about each other keep a distance that no box about their ways tells. FALSE where its cubic is farther
+ * from that of the ways than they may be from the motion, as of ends that pass each other. */
+static gboolean length_of_ways(const Way way[2], Way *length)
 {
-    const TinkerInterval product = tinker_interval_add(tinker_interval_multiply(reach[0].place, reach[0].rate),
-                                                       tinker_interval_multiply(reach[1].place, reach[1].rate));
-    return tinker_interval_divide(product, length_of(reach));
+    static const double looks[] = {0.25, 0.5, 0.75};
+    const double l0 = hypot(way[0].x0, way[1].x0), l1 = hypot(way[0].x1, way[1].x1);
+    const double room = room_beside(&way[0]) + room_beside(&way[1]);
+    *length = (Way){way[0].h, l0, (way[0].x0 * way[0].v0 + way[1].x0 * way[1].v0) / l0, l1,
+                    (way[0].x1 * way[0].v1 + way[1].x1 * way[1].v1) / l1};
+    for (gsize i = 0; i < G_N_ELEMENTS(looks); i++) {
+        const double s = looks[i];
+        if (!(fabs(place_at(length, s) - hypot(place_at(&way[0], s), place_at(&way[1], s))) <= room)) return FALSE;
+    }
+    return TRUE;
 }
 
-static TinkerInterval argument_of(const TinkerLawForce *law, TinkerLawArgument argument, const Reach reach[2],
+static TinkerInterval argument_of(const TinkerLawForce *law, TinkerLawArgument argument, const Between *between,
                                   TinkerInterval time)
 {
     switch (argument) {
     case TINKER_LAW_X:
     case TINKER_LAW_Y:
-        return reach[argument - TINKER_LAW_X].place;
+        return between->axis[argument - TINKER_LAW_X].place;
     case TINKER_LAW_VX:
     case TINKER_LAW_VY:
-        return reach[argument - TINKER_LAW_VX].rate;
+        return between->axis[argument - TINKER_LAW_VX].rate;
     case TINKER_LAW_T:
         return time;
     case TINKER_LAW_L:
-        return length_of(reach);
+        return between->length.place;
     case TINKER_LAW_RATE:
-        return lengthening_of(reach);
+        return between->length.rate;
     default:
         return tinker_interval_point(law->mass);
     }
@@ -194,25 +211,30 @@ gboolean tinker_law_enclose(const TinkerLawForce *law, const TinkerLawStep *step
                             TinkerInterval *force)
 {
     const double h = step->to - step->from;
-    const Way x = way_of(law, step, 0), y = way_of(law, step, 1);
-    const Reach reach[2] = {reach_of(&x, low, high), reach_of(&y, low, high)};
+    const Way way[2] = {way_of(law, step, 0), way_of(law, step, 1)};
+    Between between = {{reach_of(&way[0], low, high), reach_of(&way[1], low, high)}, {{0, 0}, {0, 0}}};
+    Way length;
+    if (law->b >= 0)
+        between.length = length_of_ways(way, &length) ? reach_of(&length, low, high) : length_of_box(between.axis);
     const TinkerInterval time = {step->from + low * h, step->from + high * h};
     TinkerInterval arguments[TINKER_TYPED_MOST_ARGUMENTS];
     for (int i = 0; i < law->count; i++)
-        arguments[i] = argument_of(law, law->arguments[i], reach, time);
+        arguments[i] = argument_of(law, law->arguments[i], &between, time);
     return tinker_compiled_enclose(law->force, arguments, force);
 }
 
 double tinker_law_force_at(const TinkerLawForce *law, const TinkerLawStep *step, double at)
 {
     const Way way[2] = {way_of(law, step, 0), way_of(law, step, 1)};
-    Reach reach[2];
+    Between between;
     double arguments[TINKER_TYPED_MOST_ARGUMENTS];
     for (int k = 0; k < 2; k++)
-        reach[k] = (Reach){tinker_interval_point(place_at(&way[k], at)), tinker_interval_point(rate_at(&way[k], at))};
+        between.axis[k] =
+            (Reach){tinker_interval_point(place_at(&way[k], at)), tinker_interval_point(rate_at(&way[k], at))};
+    between.length = length_of_box(between.axis);
     const TinkerInterval time = tinker_interval_point(step->from + at * (step->to - step->from));
     for (int i = 0; i < law->count; i++) {
-        const TinkerInterval argument = argument_of(law, law->arguments[i], reach, time);
+        const TinkerInterval argument = argument_of(law, law->arguments[i], &between, time);
         arguments[i] = 0.5 * (argument.low + argument.high);
     }
     return tinker_compiled_value(law->force, arguments);
