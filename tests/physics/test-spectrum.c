@@ -163,7 +163,6 @@ static void test_growth(void)
     g_assert_cmpfloat(spectrum->damping_max, ==, 0);
 }
 
-/* One step of rk4 is the Taylor polynomial of degree 4 of the oscillator's matrix. */
 /* A double pendulum without weight, of masses alike, that turns evenly, its second rod of length l folded back along
  * the first one of 1 m: with e the angle off that, the equations of both angles give e'' = W^2 ((2 - l) / l - (1 - l))
  * e. Stretched out it stays so; and so does a linkage of one freedom. */
@@ -192,6 +191,25 @@ static void test_growth_in_motion(void)
     g_assert_cmpfloat(spectrum->growth_max, ==, 0);
 }
 
+/* An upright double pendulum, of masses and lengths alike, that hardly moves: ((2 + sqrt(2)) g / l)^(1/2). Its upper
+ * rod is a spring whose frequency is nearly 2e4 rad/s. */
+static void test_growth_beside_stiffness(void)
+{
+    static const double speeds[] = {0, 1e-6, 1e-3};
+    for (gsize i = 0; i < G_N_ELEMENTS(speeds); i++) {
+        g_autofree char *text = g_strdup_printf(
+            "{'type': 'gravity'}, {'type': 'support', 'solid': false}, {'type': 'mass', 'position': [0, 1],"
+            " 'velocity': [%g, 0]}, {'type': 'mass', 'position': [0, 2]},"
+            "{'type': 'rod', 'ends': ['Support 0', 'Mass 0']},"
+            "{'type': 'spring', 'ends': ['Mass 0', 'Mass 1'], 'stiffness': 1e8, 'rest_length': %.17g}",
+            speeds[i], 1 + 9.81 / 1e8);
+        g_auto(SpectrumCase) compiled = spectrum_case(text);
+        g_autoptr(TinkerSpectrum) spectrum = tinker_spectrum_new(spectrum_case_island(&compiled));
+        physics_assert_near("growth", spectrum->growth_max, sqrt((2 + G_SQRT2) * 9.81), 1e-4);
+    }
+}
+
+/* One step of rk4 is the Taylor polynomial of degree 4 of the oscillator's matrix. */
 static void test_amplification(void)
 {
     double k = 7, c = 0.9, h = 0.31, map[4];
@@ -230,6 +248,7 @@ static void add_tests(void)
     g_test_add_func("/physics/spectrum/magnet", test_magnet);
     g_test_add_func("/physics/spectrum/growth", test_growth);
     g_test_add_func("/physics/spectrum/growth-in-motion", test_growth_in_motion);
+    g_test_add_func("/physics/spectrum/growth-beside-stiffness", test_growth_beside_stiffness);
     g_test_add_func("/physics/spectrum/amplification", test_amplification);
     g_test_add_func("/physics/spectrum/step-error", test_step_error);
 }

@@ -238,5 +238,10 @@ void spectrum_find_growth_in_motion(TinkerStartMatrices *matrices, double *growt
     if (dense.m > MOST_STATES || !isfinite(greatest) || !find_roots(&dense, re, im)) return;
     for (gsize i = 0; i < order; i++)
         most = fmax(most, re[i]);
-    *growth = most < TINKER_LEAST_GROWTH_IN_MOTION * sqrt(dense.greatest[0]) ? 0 : most;
+    /* what is slower may be rounding, and says of the other only that it is not as fast */
+    const double told = TINKER_LEAST_GROWTH_IN_MOTION * sqrt(dense.greatest[0]);
+    if (most >= told)
+        *growth = most;
+    else if (*growth >= told)
+        *growth = 0;
 }

@@ -24,7 +24,8 @@ gboolean spectrum_fill_large(TinkerSpectrum *spectrum, TinkerStartMatrices *matr
 
 /* What leaves a start in motion of a small island that is held grows by the stiffness beside that motion: sets the rate
  * (1/s). Steps are limited by the other stiffness: where the motion is all that there is, as of a driven linkage, this
- * one is 0, and has no frequency. Left as it is of a start at rest, and where it cannot be had. */
+ * one is 0, and has no frequency. Left as it is of a start at rest, where it cannot be had, and where both are slower
+ * than differences can tell. */
 void spectrum_find_growth_in_motion(TinkerStartMatrices *matrices, double *growth);
 
 #endif
