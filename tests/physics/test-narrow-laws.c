@@ -122,6 +122,19 @@ static void test_fixed_steps(void)
     }
 }
 
+/* 1 N, though intervals do not see that, until just behind the end of the run: what comes then was not missed. */
+static void test_behind_the_end(void)
+{
+    static const char *const methods[] = {"verlet", "rk4"};
+    for (gsize i = 0; i < G_N_ELEMENTS(methods); i++) {
+        g_autoptr(PhysicsRun) run =
+            run_law(methods[i], FLIES "{'type': 'law-force', 'ends': ['Mass 0'], 'force_x': '1000*step(t - 2.000001) + "
+                                      "1000*(sin(2e4*t)^2 + cos(2e4*t)^2) - 999'}");
+        physics_assert_near("speed", physics_last(run, 1), 2, 1e-9);
+        g_assert_false(tells(run, "does not resolve"));
+    }
+}
+
 /* What is resolved anyway is stepped as before. */
 static void test_no_cost(void)
 {
@@ -139,6 +152,7 @@ static void add_tests(void)
     g_test_add_func("/physics/narrow-laws/steps", test_steps);
     g_test_add_func("/physics/narrow-laws/curved-ways", test_curved_ways);
     g_test_add_func("/physics/narrow-laws/fixed-steps", test_fixed_steps);
+    g_test_add_func("/physics/narrow-laws/behind-the-end", test_behind_the_end);
     g_test_add_func("/physics/narrow-laws/no-cost", test_no_cost);
 }
 

@@ -2,7 +2,6 @@
  * until one ends there. */
 #include <float.h>
 #include <math.h>
-#include <string.h>
 
 #include "physics/contact/contacts.h"
 #include "physics/event/contact-run-private.h"
@@ -16,15 +15,7 @@
 
 static void go_back(TinkerContactRun *self)
 {
-    TinkerIslandRun *run = self->run;
-    run->system.projection_work = self->projection_work;
-    run->system.position_error = self->position_error;
-    gsize bytes = (gsize)run->system.system.size * sizeof(double);
-    run->state.t = self->from.t;
-    memcpy(run->state.q, self->from.q, bytes);
-    memcpy(run->state.v, self->from.v, bytes);
-    memcpy(run->state.books, self->from.books, (gsize)run->system.system.books * sizeof(double));
-    tinker_method_restart(run->choice.method, run->stepper);
+    tinker_island_run_go_back(self->run, &self->from, self->projection_work, self->position_error);
     tinker_contact_run_hand_start_on(self);
 }
 

@@ -232,14 +232,11 @@ static TinkerStatus check_closest(TinkerDirectionWatch *self)
 static TinkerStatus step_again(TinkerDirectionWatch *self, double from, double instant, TinkerStepReport *report)
 {
     TinkerIslandRun *run = self->run;
-    TinkerState *state = &run->state;
+    const TinkerState start = {from, run->state.q, run->state.v, run->state.books};
     TinkerStatus status =
-        tinker_method_interpolate(run->choice.method, run->stepper, from, state->q, state->v, state->books);
+        tinker_method_interpolate(run->choice.method, run->stepper, from, start.q, start.v, start.books);
     if (status != TINKER_OK) return status;
-    state->t = from;
-    run->system.projection_work = self->projection_work;
-    run->system.position_error = self->position_error;
-    tinker_method_restart(run->choice.method, run->stepper);
+    tinker_island_run_go_back(run, &start, self->projection_work, self->position_error);
     return tinker_island_run_make_step(run, instant, report);
 }
 

@@ -27,14 +27,18 @@ struct _TinkerLawWatch {
     double times[GROUP + 1]; /* s: of those ends */
     int steps;               /* in the group */
     double *room;            /* what the next ones lie in */
-    double *q, *v, *book;    /* of the state where the step began */
-    double work, error;      /* likewise, of projections */
+    TinkerState from;        /* where the step began */
+    double *force, *power;   /* evaluated there */
+    TinkerEvaluated start;   /* they; its time is NAN where that was not done */
+    double work, error;      /* of projections, where the step began */
     double most;             /* s: the next step goes no farther; INFINITY */
+    double speed;            /* m/s: of the fastest, where the laws are looked at */
 };
 
 TinkerLawWatch *tinker_law_watch_new(TinkerIslandRun *run)
 {
     const gsize n = (gsize)run->model->coordinates, points = (gsize)run->model->points;
+    const gsize books = (gsize)run->system.system.books;
     GArray *forces = tinker_law_forces(run->model);
     if (forces->len == 0) {
         g_array_unref(forces);
@@ -43,10 +47,10 @@ TinkerLawWatch *tinker_law_watch_new(TinkerIslandRun *run)
     TinkerLawWatch *self = g_new0(TinkerLawWatch, 1);
     *self = (TinkerLawWatch){.run = run, .model = run->model, .forces = forces, .most = INFINITY};
     self->points = g_new0(TinkerPoint, (GROUP + 2) * points);
-    self->room = g_new0(double, 2 * n + (gsize)run->system.system.books + 1);
-    self->q = self->room;
-    self->v = self->room + n;
-    self->book = self->room + 2 * n;
+    self->room = g_new0(double, 3 * n + 2 * books + 1);
+    self->from = (TinkerState){.q = self->room, .v = self->room + n, .books = self->room + 3 * n};
+    self->force = self->room + 2 * n;
+    self->power = self->room + 3 * n + books;
     return self;
 }
 
@@ -73,13 +77,19 @@ static TinkerStatus place(TinkerLawWatch *self, TinkerPoint *points)
     return TINKER_OK;
 }
 
+/* Goes through all bodies: once for all laws that are looked at. */
+static void find_speed(TinkerLawWatch *self)
+{
+    const TinkerSystem *system = &self->run->system.system;
+    const TinkerState *state = &self->run->state;
+    double extent;
+    system->scales(system->context, state->q, state->v, &extent, &self->speed);
+}
+
 /* kg m/s: an impulse on a mass that is let pass. Nothing passes of what has never moved, down to the least numbers. */
 static double let_pass(const TinkerLawWatch *self, double mass, double share)
 {
-    TinkerIslandRun *run = self->run;
-    double extent, speed;
-    run->system.system.scales(run->system.system.context, run->state.q, run->state.v, &extent, &speed);
-    return mass * fmax(share * speed, TINKER_LAW_NOTHING);
+    return mass * fmax(share * self->speed, TINKER_LAW_NOTHING);
 }
 
 /* The first part of the step in which a law is not gentle and matters: where it begins, of the first where it ends, as
@@ -130,7 +140,7 @@ static void find_missed(const TinkerLawWatch *self, TinkerLawForce *law, const T
             continue;
         }
         at += width;
-        width = fmin(2 * width, 1.0 / PARTS);
+        width = fmin(fmin(2 * width, 1.0 / PARTS), 1 - at);
     }
 }
 
@@ -150,6 +160,7 @@ static void end_group(TinkerLawWatch *self)
 {
     const TinkerLawStep all = step_of(self, 0, self->steps);
     TinkerInterval force;
+    find_speed(self);
     for (guint i = 0; i < self->forces->len && self->steps > 0; i++) {
         TinkerLawForce *law = &g_array_index(self->forces, TinkerLawForce, i);
         if (tinker_law_enclose(law, &all, 0, 1, &force)) continue;
@@ -198,31 +209,36 @@ static TinkerStatus begin(TinkerLawWatch *self)
 {
     const TinkerIslandRun *run = self->run;
     const gsize bytes = (gsize)run->system.system.size * sizeof(double);
-    memcpy(self->q, run->state.q, bytes);
-    memcpy(self->v, run->state.v, bytes);
-    memcpy(self->book, run->state.books, (gsize)run->system.system.books * sizeof(double));
+    self->from.t = run->state.t;
+    memcpy(self->from.q, run->state.q, bytes);
+    memcpy(self->from.v, run->state.v, bytes);
+    memcpy(self->from.books, run->state.books, (gsize)run->system.system.books * sizeof(double));
+    self->start.t = NAN;
     self->work = run->system.projection_work;
     self->error = run->system.position_error;
     return place(self, self->points);
 }
 
-static void go_back(TinkerLawWatch *self, double from)
+/* To make the step again: however often, what the method evaluates first is evaluated once. */
+static TinkerStatus go_back(TinkerLawWatch *self)
 {
-    TinkerIslandRun *run = self->run;
-    const gsize bytes = (gsize)run->system.system.size * sizeof(double);
-    memcpy(run->state.q, self->q, bytes);
-    memcpy(run->state.v, self->v, bytes);
-    memcpy(run->state.books, self->book, (gsize)run->system.system.books * sizeof(double));
-    run->state.t = from;
-    run->system.projection_work = self->work;
-    run->system.position_error = self->error;
-    tinker_method_restart(run->choice.method, run->stepper);
+    TinkerModelSystem *of = &self->run->system;
+    const TinkerState *from = &self->from;
+    TinkerStatus status = TINKER_OK;
+    tinker_island_run_go_back(self->run, from, self->work, self->error);
+    if (isnan(self->start.t))
+        status = of->system.acceleration(of->system.context, from->t, from->q, from->v, self->force, self->power);
+    if (status != TINKER_OK) return status;
+    self->start = (TinkerEvaluated){from->t, from->q, from->v, self->force, self->power};
+    of->known = &self->start;
+    return TINKER_OK;
 }
 
 /* The share of the step that is gentle; 1: all of it. */
-static double gentle_share(const TinkerLawWatch *self, const TinkerLawStep *step)
+static double gentle_share(TinkerLawWatch *self, const TinkerLawStep *step)
 {
     double share = 1;
+    find_speed(self);
     for (guint i = 0; i < self->forces->len && share > 1.0 / PARTS; i++)
         share = fmin(share, first_rough(self, &g_array_index(self->forces, TinkerLawForce, i), step));
     return share;
@@ -256,22 +272,23 @@ static TinkerStatus step_adaptively(TinkerLawWatch *self, double limit, TinkerSt
     TinkerStatus status = begin(self);
     self->times[0] = from;
     limit = fmin(limit, from + self->most);
-    for (int again = 0;; again++) {
-        if (status == TINKER_OK) status = tinker_island_run_make_step(run, limit, report);
+    for (int rejected = 0; status == TINKER_OK; rejected++) {
+        status = tinker_island_run_make_step(run, limit, report);
         if (status == TINKER_OK) status = place(self, points_of(self, 1));
-        if (status != TINKER_OK) return status;
-        report->rejected += again;
+        if (status != TINKER_OK) break;
+        report->rejected = rejected += report->rejected;
         self->times[1] = run->state.t;
         const TinkerLawStep step = step_of(self, 0, 1);
         const double h = run->state.t - from, share = h <= least ? 1 : gentle_share(self, &step);
         if (share >= 1) {
             self->most = 2 * fmax(h, self->most);
-            return TINKER_OK;
+            break;
         }
-        go_back(self, from);
+        status = go_back(self);
         self->most = share * h;
         limit = from + self->most;
     }
+    return status;
 }
 
 TinkerStatus tinker_law_watch_step(TinkerLawWatch *self, double limit, TinkerStepReport *report)

@@ -189,6 +189,19 @@ TinkerStatus tinker_island_run_make_step(TinkerIslandRun *run, double limit, Tin
     return TINKER_FAILED;
 }
 
+void tinker_island_run_go_back(TinkerIslandRun *run, const TinkerState *from, double projection_work,
+                               double position_error)
+{
+    const gsize bytes = (gsize)run->system.system.size * sizeof(double);
+    run->state.t = from->t;
+    memmove(run->state.q, from->q, bytes);
+    memmove(run->state.v, from->v, bytes);
+    memmove(run->state.books, from->books, (gsize)run->system.system.books * sizeof(double));
+    run->system.projection_work = projection_work;
+    run->system.position_error = position_error;
+    tinker_method_restart(run->choice.method, run->stepper);
+}
+
 TinkerStatus tinker_island_run_interpolate(TinkerIslandRun *run, double t, double *x, double *u, double *books)
 {
     gint64 evaluations = run->model->evaluations;

@@ -73,6 +73,11 @@ void tinker_island_run_clear(TinkerIslandRun *run);
  * told in the model's words: else a run would go on with times that are not those of its states. */
 TinkerStatus tinker_island_run_make_step(TinkerIslandRun *run, double limit, TinkerStepReport *report);
 
+/* Back to a state that the run was in, with what its projections had given and missed until then; `from` may be the
+ * run's own arrays, where dense output has brought them there. The method starts anew. */
+void tinker_island_run_go_back(TinkerIslandRun *run, const TinkerState *from, double projection_work,
+                               double position_error);
+
 /* Bodies meet plates: from the present state on the run is stepped in the plane, by a method that takes constraints. */
 gboolean tinker_island_run_enter_plane(TinkerIslandRun *run, GError **error);
 
