@@ -6,7 +6,8 @@
 
 /* Listing ---------------------------------------------------------------------------------------------------------- */
 
-/* FALSE where a name says nothing here. */
+/* The names that typed-law.h reserves; FALSE where another is among them, which says nothing here. There is room for
+ * all: a class with more is refused as it is loaded. */
 static gboolean name_arguments(TinkerLawForce *law, const TinkerPropertyType *type)
 {
     static const char *const names[] = {"x", "y", "vx", "vy", "t", "m", "L", "rate"};
@@ -18,7 +19,7 @@ static gboolean name_arguments(TinkerLawForce *law, const TinkerPropertyType *ty
         if (k == G_N_ELEMENTS(names)) return FALSE;
         law->arguments[i] = (TinkerLawArgument)k;
     }
-    return type->choice_count <= TINKER_TYPED_MOST_ARGUMENTS;
+    return TRUE;
 }
 
 static void add(GArray *list, TinkerLawForce law, const TinkerCompiled *force)
@@ -27,16 +28,14 @@ static void add(GArray *list, TinkerLawForce law, const TinkerCompiled *force)
     if (!tinker_compiled_is_always_gentle(force)) g_array_append_val(list, law);
 }
 
-/* A law that is an energy acts by its slopes along places. */
+/* A law that is an energy acts by its slopes along places; one that is neither that nor a force is something else. */
 static void add_law(GArray *list, TinkerLawForce law, const struct TinkerTypedLaw *typed,
                     const TinkerPropertyType *type)
 {
-    const TinkerDimension energy = TINKER_DIMENSION_ENERGY;
+    const TinkerDimension energy = TINKER_DIMENSION_ENERGY, force = TINKER_DIMENSION_FORCE;
     if (typed == NULL || !name_arguments(&law, type)) return;
-    if (memcmp(&type->dimension, &energy, sizeof energy) != 0) {
-        add(list, law, typed->value);
-        return;
-    }
+    if (memcmp(&type->dimension, &force, sizeof force) == 0) add(list, law, typed->value);
+    if (memcmp(&type->dimension, &energy, sizeof energy) != 0) return;
     for (int i = 0; i < law.count; i++)
         if (law.arguments[i] == TINKER_LAW_X || law.arguments[i] == TINKER_LAW_Y || law.arguments[i] == TINKER_LAW_L)
             add(list, law, typed->slopes[i]);

@@ -6,7 +6,7 @@
 #include "physics/model/model-data.h"
 #include "units/compiled/compiled.h"
 
-/* What an argument of a law is, by its name. */
+/* What an argument of a law is, by its name: those that the SDK's typed-law.h reserves. */
 typedef enum {
     TINKER_LAW_X,
     TINKER_LAW_Y,

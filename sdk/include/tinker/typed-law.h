@@ -13,7 +13,20 @@
  *         return service != NULL ? TINKER_OK : TINKER_FAILED;
  *     }
  *
- * A text that cannot be read is an error of the scene before any call. */
+ * A text that cannot be read is an error of the scene before any call.
+ *
+ * Some names of arguments are reserved, as the host knows what they are and looks along each step whether a law did
+ * something in it that the method passed over, as a short pulse or a thin wall. In a law that is a force or an energy
+ * of a block with one or two ends, or of a field, they mean the same in all plugins, in SI:
+ *
+ *     x, y       the place of the end, or of the body that a field acts on, in the world; of two ends, that of the
+ *                second as seen from the first
+ *     vx, vy     its velocity
+ *     L, rate    the distance of two ends, and how fast it grows
+ *     t          the time
+ *     m          the mass of the body
+ *
+ * A law that names any other argument is worked out all the same, and not looked at in this way. */
 #ifndef TINKER_TYPED_LAW_H
 #define TINKER_TYPED_LAW_H
 
