@@ -240,9 +240,11 @@ static double missed_velocity(TinkerModel *model, const double *given, double *f
 /* Of accelerations, from the applied ones on. */
 static double missed_acceleration(TinkerModel *model, const double *applied, double *found)
 {
-    memcpy(found, applied, (gsize)model->coordinates * sizeof(double));
-    const double missing = tinker_constraints_accelerate(model, found),
-                 asked = largest_demand(model, model->point_acceleration, model->constraints.drift);
+    const gsize bytes = (gsize)model->coordinates * sizeof(double);
+    memcpy(found, applied, bytes);
+    const double missing = tinker_constraints_accelerate(model, found);
+    memcpy(model->point_acceleration, applied, bytes);
+    const double asked = largest_demand(model, model->point_acceleration, model->constraints.drift);
     return missing > 0 ? missing / asked : 0;
 }
 

@@ -35,7 +35,7 @@
 #define TINKER_HARDEST 1e3
 /* Rows: the condition of S grows with the square of what hangs together, or its fourth power where that is welded. From
  * so many on, what a solve leaves of J a is more than steps at usual tolerances can stand: it is solved for once more.
- * Held by: physics-mechanisms. */
+ * What is solved along chains (row-chains.h, pin-chains.h) is left as it is. Held by: physics-mechanisms. */
 #define TINKER_REFINED_ROWS 512
 /* Rad: rods within this of the direction of another are in line with it, as are those between places that are typed
  * with four or five digits; beyond, their own tensions hold what pushes across. Held by: physics-row-chains,
