@@ -212,6 +212,16 @@ static void test_impulses_refuse(void)
         physics_try(&(PhysicsOptions){.method = "auto", .step = 1e-3, .impulses = TRUE, .duration = 1},
                     CONTACT_WEIGHT PLANK "{'type': 'mass', 'position': [1, 1]}, " TURN, 0.5, 0.3, TO_AND_FRO);
     physics_assert_refused(run, TINKER_MODEL_ERROR_METHOD, "Support 0 turns", "leave \"contacts\" out", NULL);
+    /* what is told of is the body at the other end of the rod, not the first that may meet it */
+    g_autoptr(PhysicsRun) tied =
+        physics_try(&(PhysicsOptions){.method = "auto", .step = 1e-3, .impulses = TRUE, .duration = 1}, CONTACT_WEIGHT
+                    "{'type': 'support', 'width': 6}, {'type': 'box', 'name': 'Far', 'position': [2, 0.5]},"
+                    "{'type': 'box', 'name': 'Near', 'position': [0, 0.5]},"
+                    "{'type': 'support', 'position': [2, 3], 'solid': false},"
+                    "{'type': 'rod', 'ends': ['Support 1', 'Far']}, {'type': 'mass', 'position': [0, 2]},"
+                    "{'type': 'rod', 'ends': ['Near', 'Mass 0']}");
+    physics_assert_refused(tied, TINKER_MODEL_ERROR_METHOD, "constraints tie it to Near", "leave \"contacts\" out",
+                           NULL);
 }
 
 static void add_tests(void)

@@ -51,10 +51,8 @@ static gboolean check_law(const TinkerModel *model, GError **error)
 /* The first body with a shape among those that constraints tie to a body; -1: none is. */
 static int32_t tied_shape(const TinkerContacts *contacts, int32_t body)
 {
-    for (int32_t i = 0; contacts->held[body] && i < contacts->model->bodies; i++)
-        if (contacts->group[i] == contacts->group[body] && contacts->held[i] &&
-            tinker_contacts_has_outline(contacts, i))
-            return i;
+    for (int32_t i = 0; i < contacts->model->bodies; i++)
+        if (contacts->tied[i] == contacts->tied[body] && tinker_contacts_has_outline(contacts, i)) return i;
     return -1;
 }
 
