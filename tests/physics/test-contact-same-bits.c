@@ -161,6 +161,22 @@ static void test_piles_apart(void)
     }
 }
 
+/* A box on a smooth floor that a force of 4e-13 N pushes along has v = F t / m, however many others there are: what
+ * counts as rounding of forces that cancel depends on its own contacts alone. */
+static void test_small_force(void)
+{
+    const PhysicsOptions options = {.method = "rk4", .step = 1.0 / 64, .duration = 1, .columns = "Box 0.vx"};
+    g_autoptr(GString) blocks =
+        g_string_new(CONTACT_WEIGHT CONTACT_FLOOR ", 'width': 90, " CONTACT_SMOOTH
+                                                  "}, {'type': 'law-force', 'ends': ['Box 0'], 'force_x': '4e-13'}");
+    for (int i = 0; i < 30; i++) {
+        g_string_append_printf(blocks, ", {'type': 'box', 'position': [%d, 0.25], 'width': 1, 'height': 0.5}", 2 * i);
+        if (i > 0 && i < 29) continue;
+        g_autoptr(PhysicsRun) run = physics_run(&options, "%s", blocks->str);
+        physics_assert_near("speed", physics_last(run, 0), 4e-13, 1e-16);
+    }
+}
+
 static void add_tests(void)
 {
     g_test_add_func("/physics/contact-same-bits/without-solid-supports", test_without_solid_supports);
@@ -168,6 +184,7 @@ static void add_tests(void)
     g_test_add_func("/physics/contact-same-bits/only-when-asked-for", test_only_when_asked_for);
     g_test_add_func("/physics/contact-same-bits/piles-apart", test_piles_apart);
     g_test_add_func("/physics/contact-same-bits/recording", test_recording);
+    g_test_add_func("/physics/contact-same-bits/small-force", test_small_force);
     g_test_add_func("/physics/contact-same-bits/two-methods", test_two_methods);
 }
 

@@ -9,8 +9,8 @@
 #include "physics/contact/contacts.h"
 #include "physics/model/model-data.h"
 
-/* Accelerations that cancel leave this share of their magnitudes, and as often as much as there are this many rows: the
- * solve of n rows rounds n times. */
+/* Accelerations that cancel leave this share of their magnitudes, and as often as much as there are this many rows of
+ * one block: the solve of n rows rounds n times. */
 #define CANCELLED      (16 * DBL_EPSILON)
 #define CANCELLED_ROWS 4.0
 
@@ -393,14 +393,28 @@ static inline void accelerate_alone(TinkerContacts *contacts, TinkerContact *con
     at[1] = base[1] - nx * slides;
 }
 
-/* What forces that cancel leave of accelerations is nothing: else the steps of what lies still would resolve it. */
-static void clear_rest(const TinkerContacts *contacts, const TinkerContactEntries *entries, double *a)
+/* What forces that cancel leave of accelerations is nothing, up to a share of their magnitudes: else the steps of what
+ * lies still would resolve it. */
+static void clear_rest(const TinkerContacts *contacts, const TinkerContactEntries *entries, double share, double *a)
 {
-    const double share = CANCELLED * fmax(1, contacts->rows->len / CANCELLED_ROWS);
     for (int32_t k = 0; k < entries->count; k++) {
         const int32_t at = entries->coordinate[k], body = tinker_model_moved_by(contacts->model, at);
         const double *of_body = contacts->acts + 2 * body;
         if (fabs(a[at]) <= share * (of_body[0] + of_body[1] + contacts->acts[at])) a[at] = 0;
+    }
+}
+
+/* Of each block by its own rows, so that nothing depends on what others there are. */
+static void clear_rests(const TinkerContacts *contacts, double *a)
+{
+    const TinkerContactRow *rows = (const TinkerContactRow *)(const void *)contacts->rows->data;
+    for (guint i = 0; contacts->entries->len > 0 && i < contacts->blocks->len; i++) {
+        const TinkerContactBlock *block = &g_array_index(contacts->blocks, TinkerContactBlock, i);
+        const double share = CANCELLED * fmax(1, block->count / CANCELLED_ROWS);
+        for (int32_t k = block->first; k < block->first + block->count; k++) {
+            if (rows[k].entries >= 0) clear_rest(contacts, entries_of(contacts, &rows[k]), share, a);
+            if (rows[k].resisting >= 0) clear_rest(contacts, resisting_of(contacts, &rows[k]), share, a);
+        }
     }
 }
 
@@ -415,8 +429,7 @@ void tinker_contacts_accelerate(TinkerContacts *contacts, double *a)
     if (contacts->rows->len > 0) accelerate_rows(contacts, a);
     if (contacts->model->constraints.rows > 0) tinker_constraints_accelerate(contacts->model, a);
     tinker_contacts_note_pin_forces(contacts);
-    for (guint i = 0; i < contacts->entries->len; i++)
-        clear_rest(contacts, &g_array_index(contacts->entries, TinkerContactEntries, i), a);
+    clear_rests(contacts, a);
 }
 
 static void add_gap_friction(const TinkerContacts *contacts, const TinkerContact *contact, double *a)
