@@ -89,9 +89,10 @@ TinkerStatus tinker_model_change_time(TinkerModel *model, double t)
  * a force F there is F on the centre and the torque R(a) r x F, or that divided by the radius of gyration along the
  * coordinate of the turn. */
 
-/* What is attached to a body that turns. */
+/* What is attached to a body that turns; NULL for nothing: where no body has anything there is no array to count in. */
 static inline TinkerAttachment *attachments_of(const TinkerModel *model, const TinkerTurn *turn)
 {
+    if (turn->first_attachment == turn->end_attachment) return NULL;
     return (TinkerAttachment *)(void *)model->attachments->data + (turn->first_attachment - model->first_attachment);
 }
 
