@@ -348,7 +348,8 @@ double tinker_island_runs_wound_length(TinkerIslandRuns *self, TinkerBlockId blo
 {
     for (guint i = 0; i < self->runs->len; i++) {
         TinkerIslandRun *run = g_ptr_array_index(self->runs, i);
-        if (run->model->constraints.unilateral == NULL ||
+        /* a state may cost a projection: of one island alone */
+        if (run->model->constraints.unilateral == NULL || tinker_block_index_find(run->model->numbers, block) < 0 ||
             tinker_island_run_state_at(run, self->sample_time, self->part_q, self->part_v) != TINKER_OK)
             continue;
         const double length =
