@@ -114,7 +114,8 @@ static void measure_equations(BenchmarkReport *report, int masses, int count)
     g_autofree char *text = chain_of(masses, "events");
     BenchmarkSubject subject = benchmark_subject(text, "rk4", 1e-3);
     TinkerModel *model = subject.model;
-    TinkerContactElimination *elimination = tinker_contact_elimination_new(model, model->contacts->group, 0);
+    TinkerContactElimination *elimination =
+        tinker_contact_elimination_new(model, model->contacts->group, 0, model->contacts->column);
     Equations equations = {.contacts = model->contacts, .elimination = elimination, .count = count};
     const gsize n = (gsize)count;
     equations.equations = g_new0(TinkerContactEquation, n);

@@ -39,8 +39,7 @@ struct _TinkerContactElimination {
     int32_t bodies, rows, equations;
     gsize room; /* for equations */
     const TinkerContactEquation *of;
-    Body *body;
-    int32_t *of_body; /* by body of the model */
+    Body *body; /* in the order of the model */
     End *ends;
     int *slots; /* of products */
     TinkerSparseLdu *ldu;
@@ -48,8 +47,16 @@ struct _TinkerContactElimination {
     int *diagonal;
     Equation *equation;
     double *along;   /* by equation */
-    double *by_body; /* 2 per body of the model */
+    double *by_body; /* by coordinate of the model; borrowed */
     gint64 solves;
+
+    /* a solve in progress */
+    const double *b;
+    double *x;
+    double miss, before; /* largest miss of x, and what it was before the last moves */
+    int tries;
+    gboolean full, done;
+    gboolean went_back; /* the last push was not of x */
 };
 
 static gboolean is_of_group(const TinkerModel *model, const int32_t *group, int32_t first, int32_t point)
@@ -74,15 +81,13 @@ static int32_t number_rows(const TinkerModel *model, const int32_t *group, int32
 static gboolean allot(TinkerContactElimination *self, gsize ends, gsize products)
 {
     self->body = g_try_new0(Body, MAX(self->bodies, 1));
-    self->of_body = g_try_new0(int32_t, MAX(self->model->bodies, 1));
     self->ends = g_try_new0(End, MAX(ends, 1));
     self->slots = g_try_new0(int, MAX(products, 1));
     self->least = g_try_new0(double, MAX(self->rows, 1));
     self->mu = g_try_new0(double, MAX(self->rows, 1));
     self->diagonal = g_try_new0(int, MAX(self->rows, 1));
-    self->by_body = g_try_new0(double, (gsize)MAX(self->model->coordinates, 1));
-    return self->body != NULL && self->of_body != NULL && self->ends != NULL && self->slots != NULL &&
-           self->least != NULL && self->mu != NULL && self->diagonal != NULL && self->by_body != NULL;
+    return self->body != NULL && self->ends != NULL && self->slots != NULL && self->least != NULL && self->mu != NULL &&
+           self->diagonal != NULL;
 }
 
 /* Lists bodies with the ends of rows on them. */
@@ -91,9 +96,8 @@ static void list_bodies(TinkerContactElimination *self, const int32_t *group, in
     const TinkerConstraints *all = &self->model->constraints;
     int32_t bodies = 0, ends = 0, products = 0;
     for (int32_t i = 0; i < self->model->bodies; i++) {
-        self->of_body[i] = -1;
         if (!is_of_group(self->model, group, first, i)) continue;
-        Body *body = &self->body[bodies];
+        Body *body = &self->body[bodies++];
         *body = (Body){.body = i, .inverse_mass = self->model->inverse_mass[i], .first_end = ends};
         body->first_product = products;
         for (int32_t k = all->body_starts[i]; k < all->body_starts[i + 1]; k++) {
@@ -102,7 +106,6 @@ static void list_bodies(TinkerContactElimination *self, const int32_t *group, in
         }
         body->end_count = ends - body->first_end;
         products += body->end_count * body->end_count;
-        self->of_body[i] = bodies++;
     }
 }
 
@@ -134,7 +137,8 @@ static gboolean find_slots(TinkerContactElimination *self, gsize products)
     return TRUE;
 }
 
-TinkerContactElimination *tinker_contact_elimination_new(TinkerModel *model, const int32_t *group, int32_t first)
+TinkerContactElimination *tinker_contact_elimination_new(TinkerModel *model, const int32_t *group, int32_t first,
+                                                         double *by_body)
 {
     const TinkerConstraints *all = &model->constraints;
     g_autofree int32_t *number = g_try_new0(int32_t, MAX(all->rows, 1));
@@ -142,6 +146,7 @@ TinkerContactElimination *tinker_contact_elimination_new(TinkerModel *model, con
     TinkerContactElimination *self = g_new0(TinkerContactElimination, 1);
     gsize ends = 0, products = 0;
     self->model = model;
+    self->by_body = by_body;
     self->rows = number_rows(model, group, first, number);
     for (int32_t i = 0; i < model->bodies; i++) {
         if (!is_of_group(model, group, first, i)) continue;
@@ -160,8 +165,8 @@ void tinker_contact_elimination_free(TinkerContactElimination *self)
 {
     if (self == NULL) return;
     tinker_sparse_ldu_free(self->ldu);
-    gpointer arrays[] = {self->body,  self->of_body,  self->ends,     self->slots, self->mu,
-                         self->least, self->diagonal, self->equation, self->along, self->by_body};
+    gpointer arrays[] = {self->body,  self->ends,     self->slots,    self->mu,
+                         self->least, self->diagonal, self->equation, self->along};
     for (gsize i = 0; i < G_N_ELEMENTS(arrays); i++)
         g_free(arrays[i]);
     g_free(self);
@@ -192,12 +197,19 @@ gboolean tinker_contact_elimination_make_room(TinkerContactElimination *self, gs
 void tinker_contact_elimination_take(TinkerContactElimination *self, const TinkerContactEquation *equations,
                                      int32_t count)
 {
-    for (int32_t i = 0; i < self->bodies; i++)
-        self->body[i].count = 0;
-    for (int32_t k = 0; k < count; k++) {
-        Body *body = &self->body[self->of_body[equations[k].body]];
-        if (body->count++ == 0) body->first = k;
+    Body *body = self->body, *const end = body + self->bodies;
+    for (int32_t k = 0; k < count; body++) {
+        const int32_t of = equations[k].body, first = k;
+        while (body < end && body->body != of)
+            (body++)->count = 0;
+        g_assert(body < end);
+        while (k < count && equations[k].body == of)
+            k++;
+        body->first = first;
+        body->count = k - first;
     }
+    for (; body < end; body++)
+        body->count = 0;
     self->of = equations;
     self->equations = count;
 }
@@ -422,22 +434,43 @@ static void find_moves(TinkerContactElimination *self)
     }
 }
 
-void tinker_contact_elimination_push(TinkerContactElimination *self, const double *x, double *along)
+static void begin_push(TinkerModel *model)
 {
-    TinkerModel *model = self->model;
-    TinkerConstraints *all = &model->constraints;
-    const gsize bytes = (gsize)model->coordinates * sizeof(double);
+    memset(model->constraints.by_point, 0, 2 * (gsize)model->points * sizeof(double));
+}
+
+static void add_push(TinkerContactElimination *self, const double *x)
+{
+    const TinkerModel *model = self->model;
+    double *by_point = model->constraints.by_point;
     self->solves++;
-    memset(all->by_point, 0, 2 * (gsize)model->points * sizeof(double));
     for (int32_t e = 0; e < self->equations; e++) {
         const int32_t body = self->of[e].body;
         for (int k = 0; k < 2; k++)
-            all->by_point[2 * body + k] += x[e] * self->of[e].force[k] * model->inverse_mass[body];
+            by_point[2 * body + k] += x[e] * self->of[e].force[k] * model->inverse_mass[body];
     }
-    memcpy(self->by_body, all->by_point, bytes);
-    tinker_constraints_answer(model, self->by_body);
+}
+
+/* What the pushes do to all bodies, and the constraints' answer. */
+static void end_push(TinkerModel *model, double *by_body)
+{
+    memcpy(by_body, model->constraints.by_point, (gsize)model->coordinates * sizeof(double));
+    tinker_constraints_answer(model, by_body);
+}
+
+/* What bodies did by a push, along its equations. */
+static void look_along(const TinkerContactElimination *self, const double *by_body, double *along)
+{
     for (int32_t e = 0; e < self->equations; e++)
-        along[e] = dot(self->of[e].row, self->by_body + 2 * self->of[e].body);
+        along[e] = dot(self->of[e].row, by_body + 2 * self->of[e].body);
+}
+
+void tinker_contact_elimination_push(TinkerContactElimination *self, const double *x, double *along)
+{
+    begin_push(self->model);
+    add_push(self, x);
+    end_push(self->model, self->by_body);
+    look_along(self, self->by_body, along);
 }
 
 const double *tinker_contact_elimination_pushed(const TinkerContactElimination *self)
@@ -445,14 +478,14 @@ const double *tinker_contact_elimination_pushed(const TinkerContactElimination *
     return self->by_body;
 }
 
-/* What x still misses; answers the largest beside what meets there. */
-static double find_misses(TinkerContactElimination *self, const double *b, const double *x)
+/* What x still misses, by the last push; answers the largest beside what meets there. */
+static double find_misses(TinkerContactElimination *self, const double *by_body)
 {
     double most = 0, size = 0;
-    tinker_contact_elimination_push(self, x, self->along);
+    look_along(self, by_body, self->along);
     for (int32_t e = 0; e < self->equations; e++) {
-        const double miss = b[e] - self->along[e];
-        const double meets = fabs(b[e]) + fabs(x[e]) * self->model->inverse_mass[self->of[e].body];
+        const double miss = self->b[e] - self->along[e];
+        const double meets = fabs(self->b[e]) + fabs(self->x[e]) * self->model->inverse_mass[self->of[e].body];
         self->equation[e].miss = miss;
         most = MAX(fabs(miss), most); /* which keeps what it was beside a NaN */
         size = MAX(meets, size);
@@ -460,29 +493,76 @@ static double find_misses(TinkerContactElimination *self, const double *b, const
     return size > 0 ? most / size : 0;
 }
 
-gboolean tinker_contact_elimination_solve(TinkerContactElimination *self, const double *b, double *x)
+/* Moves x by what makes up for the misses, unless these are rounding. */
+static void move_on(TinkerContactElimination *self)
 {
+    self->before = self->miss;
+    self->done = !(self->miss > TINKER_MISS_ROUNDING) || self->tries == MOST_SOLVES;
+    if (self->done) return;
+    if (self->tries++ > 0 || !self->full) solve_rows(self);
+    find_moves(self);
+    for (int32_t e = 0; e < self->equations; e++)
+        self->x[e] += self->equation[e].move;
+}
+
+/* Looks what the last moves were good for: no further where they left more than half, back where they made it worse. */
+static void judge(TinkerContactElimination *self, const double *by_body)
+{
+    self->miss = find_misses(self, by_body);
+    if (self->tries == 0 || self->miss <= 0.5 * self->before) {
+        move_on(self);
+        return;
+    }
+    self->done = TRUE;
+    if (self->miss <= self->before) return;
+    for (int32_t e = 0; e < self->equations; e++)
+        self->x[e] -= self->equation[e].move;
+    self->went_back = TRUE;
+}
+
+void tinker_contact_elimination_begin(TinkerContactElimination *self, const double *b, double *x)
+{
+    self->b = b;
+    self->x = x;
     for (int32_t e = 0; e < self->equations; e++)
         self->equation[e].miss = b[e];
-    const gboolean full = factor_softly(self);
+    self->full = factor_softly(self);
+    self->tries = 0;
+    self->miss = 1;
+    self->done = self->went_back = FALSE;
+    if (!self->full) return; /* what x is near to has to be pushed first */
     /* what is determined does not depend on what it was */
-    if (full) memset(x, 0, (gsize)self->equations * sizeof(double));
-    double miss = full ? 1 : find_misses(self, b, x);
-    for (int solves = 0; solves < MOST_SOLVES && miss > TINKER_MISS_ROUNDING; solves++) {
-        const double before = miss;
-        if (solves > 0 || !full) solve_rows(self);
-        find_moves(self);
-        for (int32_t e = 0; e < self->equations; e++)
-            x[e] += self->equation[e].move;
-        miss = find_misses(self, b, x);
-        if (miss <= 0.5 * before) continue;
-        if (miss <= before) break;
-        for (int32_t e = 0; e < self->equations; e++)
-            x[e] -= self->equation[e].move;
-        find_misses(self, b, x);
-        break;
+    memset(x, 0, (gsize)self->equations * sizeof(double));
+    move_on(self);
+}
+
+void tinker_contact_eliminations_end(TinkerContactElimination *const *all, guint count)
+{
+    guint left = count;
+    while (left > 0) {
+        begin_push(all[0]->model);
+        for (guint i = 0; i < count; i++)
+            if (!all[i]->done) add_push(all[i], all[i]->x);
+        end_push(all[0]->model, all[0]->by_body);
+        left = 0;
+        for (guint i = 0; i < count; i++) {
+            if (!all[i]->done) judge(all[i], all[0]->by_body);
+            left += !all[i]->done;
+        }
     }
-    return full;
+}
+
+gboolean tinker_contact_elimination_is_full(const TinkerContactElimination *self)
+{
+    return self->full;
+}
+
+gboolean tinker_contact_elimination_solve(TinkerContactElimination *self, const double *b, double *x)
+{
+    tinker_contact_elimination_begin(self, b, x);
+    tinker_contact_eliminations_end(&self, 1);
+    if (self->went_back) tinker_contact_elimination_push(self, x, self->along);
+    return self->full;
 }
 
 void tinker_contact_elimination_soften(TinkerContactElimination *self, double softness)

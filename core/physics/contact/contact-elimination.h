@@ -34,15 +34,17 @@ typedef struct {
 
 typedef struct _TinkerContactElimination TinkerContactElimination;
 
-/* For bodies that constraints join, one of which is `first` (`group`: by body, the first of those that are joined to
- * it). NULL where there is no memory. (transfer full) */
-TinkerContactElimination *tinker_contact_elimination_new(TinkerModel *model, const int32_t *group, int32_t first);
+/* For the bodies of one set (`group`: by body, the first of its set), which no constraint joins to others. Pushes are
+ * worked out in `by_body`, one number a coordinate of the model: borrowed, and anybody's in between. NULL where there
+ * is no memory. (transfer full) */
+TinkerContactElimination *tinker_contact_elimination_new(TinkerModel *model, const int32_t *group, int32_t first,
+                                                         double *by_body);
 void tinker_contact_elimination_free(TinkerContactElimination *elimination);
 
 /* Room for so many equations. FALSE: no memory. */
 gboolean tinker_contact_elimination_make_room(TinkerContactElimination *elimination, gsize count);
 
-/* Takes equations that there is room for, those of one body behind one another, no more than TINKER_MOST_EQUATIONS;
+/* Takes equations that there is room for, in the order of their bodies, no more than TINKER_MOST_EQUATIONS of one;
  * borrowed. */
 void tinker_contact_elimination_take(TinkerContactElimination *elimination, const TinkerContactEquation *equations,
                                      int32_t count);
@@ -51,13 +53,21 @@ void tinker_contact_elimination_take(TinkerContactElimination *elimination, cons
  * rows evaluated last. */
 void tinker_contact_elimination_push(TinkerContactElimination *elimination, const double *x, double *along);
 
-/* What the bodies of the model did at the push made last: 2 per body, borrowed until the next one. */
+/* What the bodies of the model did at the push made last: 2 per body, in what the elimination borrowed for it. */
 const double *tinker_contact_elimination_pushed(const TinkerContactElimination *elimination);
 
 /* Changes the forces x until they do b along each equation, for the constraint rows evaluated last: to rounding where
  * that is to be had. Where equations and rows depend on one another x is the solution that is nearest to what it was,
  * by forces over the roots of masses; FALSE then. The last push is that of x. Allots nothing. */
 gboolean tinker_contact_elimination_solve(TinkerContactElimination *elimination, const double *b, double *x);
+
+/* The same of several at once, no two of which are joined by a constraint, so that it takes no more answers of the
+ * constraints, which cost in proportion to the whole model, than one of them: each is begun, with b and x borrowed to
+ * the end, then all are taken there. Then each says whether its x is determined. What was pushed last does not count.
+ */
+void tinker_contact_elimination_begin(TinkerContactElimination *elimination, const double *b, double *x);
+void tinker_contact_eliminations_end(TinkerContactElimination *const *eliminations, guint count);
+gboolean tinker_contact_elimination_is_full(const TinkerContactElimination *elimination);
 
 /* Solves once with a softness s on the diagonal, as a step of an iteration; factored first. x need not be set. */
 void tinker_contact_elimination_soften(TinkerContactElimination *elimination, double softness);

@@ -208,35 +208,68 @@ static gboolean has_turning_pins(const TinkerContacts *contacts, const TinkerCon
 static void leave_out_pins(TinkerContacts *contacts, const TinkerContactBlock *block)
 {
     const TinkerContactRow *rows = (const TinkerContactRow *)(const void *)contacts->rows->data + block->first;
+    double *matrix = contacts->delassus + block->matrix;
     for (int32_t i = 0; i < block->count; i++)
         for (int32_t j = 0; j < block->count; j++)
-            if (rows[i].pin_slope != 0 || rows[j].pin_slope != 0) contacts->delassus[i * block->count + j] = i == j;
+            if (rows[i].pin_slope != 0 || rows[j].pin_slope != 0) matrix[i * block->count + j] = i == j;
 }
 
-static void factor_block(TinkerContacts *contacts, TinkerContactBlock *block, gboolean moves)
+/* Whether its matrix has a column j that is to be worked out. */
+static gboolean asks_for(const TinkerContactBlock *block, gboolean moves, int32_t j)
+{
+    return block->elimination == NULL && !block->factored[moves] && j < block->count;
+}
+
+/* A column of a block's matrix: what a push along row j, which was made, does along all of its rows. */
+static void take_column(TinkerContacts *contacts, const TinkerContactBlock *block, gboolean moves, int32_t j)
 {
     const TinkerContactRow *rows = (const TinkerContactRow *)(const void *)contacts->rows->data + block->first;
-    double *change = contacts->column;
-    for (int32_t j = 0; j < block->count; j++) {
-        memset(change, 0, (gsize)contacts->model->coordinates * sizeof(double));
-        tinker_contacts_begin_pushes(contacts);
-        tinker_contact_row_push(contacts, &rows[j], 1, moves, change);
-        tinker_contacts_end_pushes(contacts, change);
-        for (int32_t i = 0; i < block->count; i++)
-            contacts->delassus[i * block->count + j] =
-                tinker_contact_row_times(contacts, &rows[i], change) * (rows[i].weight * rows[j].weight);
-        if (!moves && contacts->pin_count > 0)
-            tinker_contact_pins_keep(contacts, block, contacts->pins.answers + j, (gsize)block->count);
+    double *matrix = contacts->delassus + block->matrix;
+    for (int32_t i = 0; i < block->count; i++)
+        matrix[i * block->count + j] =
+            tinker_contact_row_times(contacts, &rows[i], contacts->column) * (rows[i].weight * rows[j].weight);
+    if (!moves && contacts->pin_count > 0)
+        tinker_contact_pins_keep(contacts, block, contacts->pins.answers + 2 * block->matrix + j, (gsize)block->count);
+}
+
+/* The matrices of all blocks that have to be factored anew. What is done to one moves no other: column by column they
+ * are pushed at once, as constraints answer by a solve of the whole model. */
+static void fill_matrices(TinkerContacts *contacts, gboolean moves)
+{
+    const TinkerContactRow *rows = (const TinkerContactRow *)(const void *)contacts->rows->data;
+    const TinkerContactBlock *blocks = (const TinkerContactBlock *)(const void *)contacts->blocks->data;
+    gboolean any = TRUE;
+    for (int32_t j = 0; any; j++) {
+        any = FALSE;
+        for (guint i = 0; i < contacts->blocks->len; i++) {
+            if (!asks_for(&blocks[i], moves, j)) continue;
+            if (!any) {
+                memset(contacts->column, 0, (gsize)contacts->model->coordinates * sizeof(double));
+                tinker_contacts_begin_pushes(contacts);
+                any = TRUE;
+            }
+            tinker_contact_row_push(contacts, &rows[blocks[i].first + j], 1, moves, contacts->column);
+        }
+        if (any) tinker_contacts_end_pushes(contacts, contacts->column);
+        for (guint i = 0; any && i < contacts->blocks->len; i++)
+            if (asks_for(&blocks[i], moves, j)) take_column(contacts, &blocks[i], moves, j);
     }
+}
+
+/* Takes its matrix, if that was filled anew. */
+static void factor_block(TinkerContacts *contacts, TinkerContactBlock *block, gboolean moves)
+{
+    if (block->factored[moves]) return;
     const gboolean turning = has_turning_pins(contacts, block);
     if (turning && moves) leave_out_pins(contacts, block);
     if (turning && !moves) return; /* their rows depend on the solution */
-    tinker_dense_solve_factor(block->solve[moves], contacts->delassus);
+    tinker_dense_solve_factor(block->solve[moves], contacts->delassus + block->matrix);
     block->factored[moves] = !block->held;
 }
 
 /* `near`: what forces that nothing determines are near to; NULL: 0. */
-static void eliminate_block(TinkerContacts *contacts, TinkerContactBlock *block, gboolean moves, const double *near)
+static void begin_elimination(TinkerContacts *contacts, const TinkerContactBlock *block, gboolean moves,
+                              const double *near)
 {
     const TinkerContactRow *rows = (const TinkerContactRow *)(const void *)contacts->rows->data + block->first;
     double *asked = contacts->demand + block->first, *found = contacts->found + block->first;
@@ -245,40 +278,56 @@ static void eliminate_block(TinkerContacts *contacts, TinkerContactBlock *block,
         asked[i] /= rows[i].weight;
     }
     tinker_contact_elimination_take(block->elimination, contacts->equations[moves] + block->first, block->count);
-    const gboolean full = tinker_contact_elimination_solve(block->elimination, asked, found);
-    if (!moves) block->full = full;
-    for (int32_t i = 0; i < block->count; i++)
-        asked[i] = found[i] / rows[i].weight;
+    tinker_contact_elimination_begin(block->elimination, asked, found);
+}
+
+static void take_found(TinkerContacts *contacts, TinkerContactBlock *block, gboolean moves)
+{
+    const TinkerContactRow *rows = (const TinkerContactRow *)(const void *)contacts->rows->data + block->first;
+    if (!moves) block->full = tinker_contact_elimination_is_full(block->elimination);
+    for (int32_t i = block->first; i < block->first + block->count; i++)
+        contacts->demand[i] = contacts->found[i] / rows[i - block->first].weight;
+}
+
+/* All blocks that are solved by elimination. */
+static void eliminate_blocks(TinkerContacts *contacts, gboolean moves)
+{
+    TinkerContactBlock *blocks = (TinkerContactBlock *)(void *)contacts->blocks->data;
+    if (contacts->eliminated->len == 0) return;
+    for (guint i = 0; i < contacts->blocks->len; i++)
+        if (blocks[i].elimination != NULL)
+            begin_elimination(contacts, &blocks[i], moves, moves ? NULL : contacts->base + blocks[i].first);
+    tinker_contact_eliminations_end((TinkerContactElimination *const *)contacts->eliminated->pdata,
+                                    contacts->eliminated->len);
+    for (guint i = 0; i < contacts->blocks->len; i++)
+        if (blocks[i].elimination != NULL) take_found(contacts, &blocks[i], moves);
 }
 
 void tinker_contacts_solve_moves(TinkerContacts *contacts)
 {
+    eliminate_blocks(contacts, TRUE);
+    fill_matrices(contacts, TRUE);
     for (guint i = 0; i < contacts->blocks->len; i++) {
         TinkerContactBlock *block = &g_array_index(contacts->blocks, TinkerContactBlock, i);
-        if (block->elimination != NULL) {
-            eliminate_block(contacts, block, TRUE, NULL);
-            continue;
-        }
-        if (!block->factored[TRUE]) factor_block(contacts, block, TRUE);
+        if (block->elimination != NULL) continue;
+        factor_block(contacts, block, TRUE);
         tinker_dense_solve(block->solve[TRUE], contacts->demand + block->first);
     }
 }
 
 static void solve_forces(TinkerContacts *contacts)
 {
+    eliminate_blocks(contacts, FALSE);
+    fill_matrices(contacts, FALSE);
     for (guint i = 0; i < contacts->blocks->len; i++) {
         TinkerContactBlock *block = &g_array_index(contacts->blocks, TinkerContactBlock, i);
-        if (block->elimination != NULL) {
-            eliminate_block(contacts, block, FALSE, contacts->base + block->first);
-            continue;
-        }
-        if (!block->factored[FALSE]) factor_block(contacts, block, FALSE);
-        if (has_turning_pins(contacts, block)) {
-            contacts->pins.block_free = contacts->pins.free + 2 * (gsize)block->first;
-            tinker_contact_pins_solve(contacts, block, contacts->delassus, contacts->demand + block->first);
-            continue;
-        }
-        tinker_dense_solve_near(block->solve[FALSE], contacts->base + block->first, contacts->demand + block->first);
+        if (block->elimination != NULL) continue;
+        factor_block(contacts, block, FALSE);
+        if (has_turning_pins(contacts, block))
+            tinker_contact_pins_solve(contacts, block, contacts->demand + block->first);
+        else
+            tinker_dense_solve_near(block->solve[FALSE], contacts->base + block->first,
+                                    contacts->demand + block->first);
     }
 }
 

@@ -202,7 +202,7 @@ static double force_on(const TinkerContactPins *pins, const TinkerContactRow *ro
 {
     double force[2];
     for (int c = 0; c < 2; c++) {
-        const double *answers = pins->answers + (gsize)(2 * k + c) * (gsize)count;
+        const double *answers = pins->block_answers + (gsize)(2 * k + c) * (gsize)count;
         force[c] = pins->block_free[2 * k + c];
         for (int32_t j = 0; j < count; j++)
             force[c] += answers[j] * rows[j].weight * found[j];
@@ -218,19 +218,21 @@ static double fill_row(const TinkerContactPins *pins, const TinkerContactRow *ro
                        const double direction[2], double *row)
 {
     const double share = rows[k].pin_slope / rows[k].weight;
-    const double *answers = pins->answers + (gsize)(2 * k) * (gsize)count;
+    const double *answers = pins->block_answers + (gsize)(2 * k) * (gsize)count;
     for (int32_t j = 0; j < count; j++)
         row[j] = (j == k) -
                  share * rows[j].weight * (direction[0] * answers[j] + direction[1] * answers[(gsize)count + (gsize)j]);
     return share * (direction[0] * pins->block_free[2 * k] + direction[1] * pins->block_free[2 * k + 1]);
 }
 
-void tinker_contact_pins_solve(TinkerContacts *contacts, TinkerContactBlock *block, double *matrix, double *demand)
+void tinker_contact_pins_solve(TinkerContacts *contacts, TinkerContactBlock *block, double *demand)
 {
     const TinkerContactRow *rows = (const TinkerContactRow *)(const void *)contacts->rows->data + block->first;
     TinkerContactPins *pins = &contacts->pins;
     const int32_t count = block->count;
-    double *found = pins->found, direction[2];
+    double *matrix = contacts->delassus + block->matrix, *found = pins->found, direction[2];
+    pins->block_free = pins->free + 2 * (gsize)block->first;
+    pins->block_answers = pins->answers + 2 * block->matrix;
     memset(found, 0, (gsize)count * sizeof(double));
     double last = INFINITY;
     for (int pass = 0; pass < MOST_PASSES; pass++) {

@@ -26,8 +26,8 @@ void tinker_contacts_pin_torques(const TinkerContacts *contacts, const TinkerCon
 
 /* Keeps the multipliers solved last of the pins of a block that turn: two numbers a row, `stride` apart. */
 void tinker_contact_pins_keep(TinkerContacts *contacts, const TinkerContactBlock *block, double *into, gsize stride);
-/* Solves for the forces of a block in which pins turn, whose other rows are in the matrix; in place of its demand. Kept
+/* Solves for the forces of a block in which pins turn, whose other rows are in its matrix; in place of its demand. Kept
  * are the forces without any contact (pins.free) and what a unit of each row's force adds (pins.answers). */
-void tinker_contact_pins_solve(TinkerContacts *contacts, TinkerContactBlock *block, double *matrix, double *demand);
+void tinker_contact_pins_solve(TinkerContacts *contacts, TinkerContactBlock *block, double *demand);
 
 #endif

@@ -166,7 +166,7 @@ gboolean tinker_contact_reach_take(TinkerContactReach *self, TinkerContacts *con
         self->order[k] = k;
     }
     if (!is_sorted(self)) g_qsort_with_data(self->order, count, sizeof(int32_t), by_body, self->all);
-    self->elimination = tinker_contacts_elimination(contacts, touching[0].body);
+    self->elimination = tinker_contacts_elimination(contacts, TRUE, touching[0].body);
     if (self->elimination == NULL) return FALSE;
     if (!fits(self)) return TRUE;
     if (!tinker_contact_elimination_make_room(self->elimination, 2 * (gsize)count)) return FALSE;

@@ -5,8 +5,8 @@
 #include "physics/contact/contacts.h"
 #include "physics/model/model-data.h"
 
-/* For the bodies that constraints join to one; NULL: no memory. Owned by the contacts. */
-TinkerContactElimination *tinker_contacts_elimination(TinkerContacts *contacts, int32_t body);
+/* For the set of a body: of what is tied, or of what may meet. NULL: no memory. Owned by the contacts. */
+TinkerContactElimination *tinker_contacts_elimination(TinkerContacts *contacts, gboolean may_meet, int32_t body);
 
 /* Finds the outlines of bodies that turn or meet others, and of tops. */
 void tinker_contacts_find_outlines(TinkerContacts *contacts);

@@ -207,7 +207,9 @@ TinkerContacts *tinker_contacts_new(TinkerModel *model)
     contacts->simple = g_array_new(FALSE, TRUE, sizeof(int32_t));
     contacts->blocks = g_array_new(FALSE, TRUE, sizeof(TinkerContactBlock));
     g_array_set_clear_func(contacts->blocks, block_clear);
-    contacts->eliminations = g_new0(TinkerContactElimination *, MAX(model->bodies, 1));
+    contacts->eliminated = g_ptr_array_new();
+    for (int k = 0; k < 2; k++)
+        contacts->eliminations[k] = g_new0(TinkerContactElimination *, MAX(model->bodies, 1));
     contacts->column = g_new0(double, (gsize)MAX(model->coordinates, 1));
     contacts->before = g_new0(double, (gsize)MAX(model->coordinates, 1));
     contacts->acts = g_new0(double, (gsize)MAX(model->coordinates, 1));
@@ -233,8 +235,9 @@ void tinker_contacts_free(TinkerContacts *contacts)
     g_array_unref(contacts->entries);
     g_array_unref(contacts->simple);
     g_array_unref(contacts->blocks);
-    for (int32_t i = 0; i < contacts->model->bodies; i++)
-        tinker_contact_elimination_free(contacts->eliminations[i]);
+    g_ptr_array_unref(contacts->eliminated);
+    for (int32_t i = 0; i < 2 * contacts->model->bodies; i++)
+        tinker_contact_elimination_free(contacts->eliminations[i % 2][i / 2]);
     gpointer arrays[] = {contacts->plates,
                          contacts->half_height,
                          contacts->held,
@@ -250,7 +253,8 @@ void tinker_contacts_free(TinkerContacts *contacts)
                          contacts->acts,
                          contacts->base,
                          contacts->found,
-                         contacts->eliminations,
+                         contacts->eliminations[0],
+                         contacts->eliminations[1],
                          contacts->equations[FALSE],
                          contacts->equations[TRUE],
                          contacts->reach,
@@ -412,10 +416,21 @@ static int by_set(const void *left, const void *right, void *data)
     return l->tangential - r->tangential;
 }
 
-TinkerContactElimination *tinker_contacts_elimination(TinkerContacts *contacts, int32_t body)
+/* Whether constraints tie all that a body may meet to it. */
+static gboolean is_all_tied(const TinkerContacts *contacts, int32_t body)
 {
-    TinkerContactElimination **own = &contacts->eliminations[contacts->group[body]];
-    if (*own == NULL) *own = tinker_contact_elimination_new(contacts->model, contacts->group, body);
+    const int32_t group = contacts->group[body];
+    for (int32_t i = 0; i < contacts->model->bodies; i++)
+        if (contacts->group[i] == group && contacts->tied[i] != group) return FALSE;
+    return TRUE;
+}
+
+TinkerContactElimination *tinker_contacts_elimination(TinkerContacts *contacts, gboolean may_meet, int32_t body)
+{
+    const gboolean others = may_meet && !is_all_tied(contacts, body);
+    const int32_t *sets = others ? contacts->group : contacts->tied;
+    TinkerContactElimination **own = &contacts->eliminations[others][sets[body]];
+    if (*own == NULL) *own = tinker_contact_elimination_new(contacts->model, sets, body, contacts->column);
     return *own;
 }
 
@@ -436,7 +451,8 @@ static gboolean may_be_eliminated(const TinkerContacts *contacts, guint first, g
     return TRUE;
 }
 
-/* FALSE: no memory. */
+/* Rows that may be eliminated are of bodies that constraints alone join: what touches besides has entries. FALSE: no
+ * memory. */
 static gboolean add_block(TinkerContacts *contacts, guint first, guint count)
 {
     const int32_t contact = g_array_index(contacts->rows, TinkerContactRow, first).contact;
@@ -446,8 +462,9 @@ static gboolean add_block(TinkerContacts *contacts, guint first, guint count)
         block.held |= g_array_index(contacts->rows, TinkerContactRow, i).entries >= 0;
     if (block.held && count > FEW_ROWS && may_be_eliminated(contacts, first, count)) {
         block.elimination =
-            tinker_contacts_elimination(contacts, tinker_contacts_closed(contacts, (guint)contact)->body);
+            tinker_contacts_elimination(contacts, FALSE, tinker_contacts_closed(contacts, (guint)contact)->body);
         g_array_append_val(contacts->blocks, block);
+        if (block.elimination != NULL) g_ptr_array_add(contacts->eliminated, block.elimination);
         return block.elimination != NULL && tinker_contact_elimination_make_room(block.elimination, count);
     }
     for (int moves = FALSE; moves <= TRUE; moves++)
@@ -456,11 +473,11 @@ static gboolean add_block(TinkerContacts *contacts, guint first, guint count)
     return block.solve[FALSE] != NULL && block.solve[TRUE] != NULL;
 }
 
-/* Rows of one set stand together and are solved together. Answers the rows of the largest that has a matrix, at least
- * 1; 0: no memory. */
+/* Rows of one set stand together and are solved together. Answers the entries of all their matrices, at least 1; 0: no
+ * memory. */
 static gsize find_blocks(TinkerContacts *contacts)
 {
-    gsize most = 1;
+    gsize entries = 0;
     find_touching(contacts);
     g_array_sort_with_data(contacts->rows, by_set, contacts);
     const TinkerContactRow *rows = (const TinkerContactRow *)(const void *)contacts->rows->data;
@@ -469,10 +486,11 @@ static gsize find_blocks(TinkerContacts *contacts)
              end < contacts->rows->len && set_of(contacts, &rows[end]) == set_of(contacts, &rows[first]);)
             end++;
         if (!add_block(contacts, first, end - first)) return 0;
-        if (g_array_index(contacts->blocks, TinkerContactBlock, contacts->blocks->len - 1).elimination == NULL)
-            most = MAX(most, end - first);
+        TinkerContactBlock *block = &g_array_index(contacts->blocks, TinkerContactBlock, contacts->blocks->len - 1);
+        block->matrix = entries;
+        if (block->elimination == NULL) entries += (gsize)(end - first) * (end - first);
     }
-    return most;
+    return MAX(entries, 1);
 }
 
 static void list_equations(TinkerContacts *contacts)
@@ -504,23 +522,23 @@ static gboolean make_room(double **array, gsize count)
     return *array != NULL;
 }
 
-/* FALSE: no memory. `most`: rows of the largest block. */
-static gboolean allot_pins(TinkerContacts *contacts, gsize rows, gsize most)
+/* FALSE: no memory. `entries`: of all blocks' matrices. */
+static gboolean allot_pins(TinkerContacts *contacts, gsize rows, gsize entries)
 {
     TinkerContactPins *pins = &contacts->pins;
-    return make_room(&pins->free, 2 * rows) && make_room(&pins->answers, 2 * most * most) &&
+    return make_room(&pins->free, 2 * rows) && make_room(&pins->answers, 2 * entries) &&
            make_room(&pins->found, rows) && make_room(&pins->before, rows);
 }
 
 /* FALSE: no memory. */
 static gboolean allot_rows(TinkerContacts *contacts)
 {
-    const gsize rows = contacts->rows->len, most = rows > 0 ? find_blocks(contacts) : 1;
+    const gsize rows = contacts->rows->len, entries = rows > 0 ? find_blocks(contacts) : 1;
     if (rows == 0) return TRUE;
-    if (most == 0 || !make_room(&contacts->delassus, most * most) || !make_room(&contacts->demand, rows) ||
+    if (entries == 0 || !make_room(&contacts->delassus, entries) || !make_room(&contacts->demand, rows) ||
         !make_room(&contacts->base, rows) || !make_room(&contacts->found, rows) || !make_equations(contacts, rows))
         return FALSE;
-    if (contacts->pin_count > 0 && !allot_pins(contacts, rows, most)) return FALSE;
+    if (contacts->pin_count > 0 && !allot_pins(contacts, rows, entries)) return FALSE;
     list_equations(contacts);
     tinker_contacts_take_shares(contacts);
     return TRUE;
@@ -541,6 +559,7 @@ static void clear_rows(TinkerContacts *contacts)
     g_array_set_size(contacts->entries, 0);
     g_array_set_size(contacts->simple, 0);
     g_array_set_size(contacts->blocks, 0);
+    g_ptr_array_set_size(contacts->eliminated, 0);
     contacts->any_slip_friction = FALSE;
     contacts->model->book_power[TINKER_BOOK_FRICTION] = 0;
 }

@@ -124,18 +124,19 @@ typedef struct {
 typedef struct {
     int32_t first, count;
     gboolean held;              /* W changes with the constraints or the state; else it is factored once */
+    gsize matrix;               /* where that of W begins among those of all blocks */
     TinkerDenseSolve *solve[2]; /* W with the directions of the rows' forces; with those of the rows themselves */
     gboolean factored[2];
     TinkerContactElimination *elimination; /* in place of W where there are many rows; borrowed */
     gboolean full;                         /* its forces are determined */
 } TinkerContactBlock;
 
-/* What friction of pins is solved with, for one block of rows; allotted with them where there are pins. */
+/* What friction of pins is solved with; allotted with the rows where there are pins. */
 typedef struct {
-    double *free;             /* 2 a row: the force of a pin without any contact */
-    double *answers;          /* 2 x rows a row: what a unit of each row's force adds to it */
-    double *found, *before;   /* a row */
-    const double *block_free; /* of the block that is solved: its part of `free` */
+    double *free;           /* 2 a row: the force of a pin without any contact */
+    double *answers;        /* 2 a row of each row of its block: what a unit of that one's force adds to it */
+    double *found, *before; /* a row */
+    const double *block_free, *block_answers; /* of the block that is solved: its part of these */
 } TinkerContactPins;
 
 struct _TinkerContacts {
@@ -174,11 +175,14 @@ struct _TinkerContacts {
     GArray *rows;      /* of TinkerContactRow: the others' equations */
     GArray *entries;   /* of TinkerContactEntries: of closed gap functions, for the state they were listed at last */
     gboolean any_slip_friction;
-    TinkerContactElimination **eliminations; /* by the first body of a group; made when they are asked for */
+    /* By the first body: of what is tied; of what may meet. Made when they are asked for; of one that ties all that may
+     * meet the other's does. */
+    TinkerContactElimination **eliminations[2];
 
     /* working state; what depends on the rows is allotted when they change */
     GArray *blocks;                          /* of TinkerContactBlock */
-    double *delassus;                        /* of the largest block that is solved by it, rows x rows */
+    GPtrArray *eliminated;                   /* of TinkerContactElimination: those of blocks that have one; borrowed */
+    double *delassus;                        /* of each block that is solved by it, rows x rows */
     double *demand, *base, *found;           /* of all rows; of all rows; of all rows */
     TinkerContactEquation *equations[2];     /* of all rows, as the blocks have them: for forces; for moves */
     double *column, *accelerations, *before; /* 2 per body */
