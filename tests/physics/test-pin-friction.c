@@ -234,6 +234,44 @@ static void test_struck(void)
         g_str_has_prefix(g_ptr_array_index(warnings, 0), "Pin 0: its friction takes no part in the blow at 1 s"));
 }
 
+/* Runs for 2 s; the one warning has to be of a blow at that time, of Pin 0. */
+static void assert_blow_at(double time, const char *blocks)
+{
+    g_autoptr(PhysicsRun) run = physics_run(&(PhysicsOptions){.duration = 2}, CONTACT_WEIGHT ANCHOR "%s", blocks);
+    const char *told = "Pin 0: its friction takes no part in the blow at ";
+    const GPtrArray *warnings = run->summary->warnings;
+    g_assert_cmpuint(warnings->len, ==, 1);
+    const char *warning = g_ptr_array_index(warnings, 0);
+    g_assert_true(g_str_has_prefix(warning, told));
+    physics_assert_near("told at", g_ascii_strtod(warning + strlen(told), NULL), time, 1e-5);
+}
+
+#define PIN "'friction_radius': 1e-3, 'friction': 0.4}"
+#define HANGING                                                                                                        \
+    "{'type': 'bar', 'solid': true, 'length': 1, 'position': [0, -0.5], 'orientation': -1.5707963267948966},"          \
+    "{'type': 'pin', 'ends': ['Support 0', {'block': 'Bar 0', 'at': [-0.5, 0]}], " PIN                                 \
+    ", {'type': 'impulse', 'ends': ['Bar 0'], 'impulse': 1, 'time': 1.5}, "
+
+/* A blow is one of a pin only where it reaches what the pin holds: not that of a ball on the floor beside it, nor of
+ * what a spring or a slack rope joins to it. But that of a ball which falls onto a wheel towards its axle is, for
+ * sqrt(2 h / g), though the wheel turns on as it did. */
+static void test_struck_elsewhere(void)
+{
+    assert_blow_at(1.5, HANGING "{'type': 'support', 'position': [0, -3.2], 'width': 9},"
+                                "{'type': 'disc', 'radius': 0.1, 'position': [2, -2.4]}");
+    assert_blow_at(1.5,
+                   HANGING "{'type': 'mass', 'position': [1, -1]}, {'type': 'spring', 'ends': ['Bar 0', 'Mass 0']},"
+                           "{'type': 'impulse', 'ends': ['Mass 0'], 'impulse': 1, 'time': 0.5}");
+    assert_blow_at(1.5,
+                   HANGING "{'type': 'mass', 'position': [1, -1]}, {'type': 'impulse', 'ends': ['Mass 0'],"
+                           " 'impulse': 1, 'time': 0.5}, {'type': 'rope', 'ends': ['Bar 0', 'Mass 0'], 'length': 99}");
+    assert_blow_at(sqrt(2 * 1.5 / g),
+                   "{'type': 'disc', 'radius': 0.1, 'position': [0, 0], 'angular_velocity': 2},"
+                   "{'type': 'pin', 'ends': ['Support 0', 'Disc 0'], " PIN
+                   ", {'type': 'disc', 'radius': 0.1, 'position': [0, 1.7], 'restitution': 0, 'static_friction': 0,"
+                   " 'dynamic_friction': 0}");
+}
+
 static void add_tests(void)
 {
     g_test_add_func("/pin-friction/spins-down", test_spins_down);
@@ -246,6 +284,7 @@ static void add_tests(void)
     g_test_add_func("/pin-friction/not-shared", test_not_shared);
     g_test_add_func("/pin-friction/one-place", test_one_place);
     g_test_add_func("/pin-friction/struck", test_struck);
+    g_test_add_func("/pin-friction/struck-elsewhere", test_struck_elsewhere);
 }
 
 int main(int argc, char **argv)

@@ -99,18 +99,14 @@ static void find_surfaces(TinkerContacts *contacts)
     }
 }
 
-/* Sets of bodies: what constraints tie together. */
-static void tie_together(const TinkerModel *model, int32_t *sets)
+void tinker_contacts_tie(const TinkerModel *model, int32_t row, int32_t *sets)
 {
     const TinkerConstraints *all = &model->constraints;
-    tinker_sets_begin(sets, model->bodies);
-    for (int32_t row = 0; row < all->rows; row++) {
-        int32_t first = -1;
-        for (int32_t e = all->row_starts[row]; e < all->row_starts[row + 1]; e++) {
-            if (all->points[e] >= model->bodies) continue;
-            if (first >= 0) tinker_sets_join(sets, first, all->points[e]);
-            first = all->points[e];
-        }
+    int32_t first = -1;
+    for (int32_t e = all->row_starts[row]; e < all->row_starts[row + 1]; e++) {
+        if (all->points[e] >= model->bodies) continue;
+        if (first >= 0) tinker_sets_join(sets, first, all->points[e]);
+        first = all->points[e];
     }
 }
 
@@ -125,7 +121,9 @@ static void find_groups(TinkerContacts *contacts)
 {
     const TinkerModel *model = contacts->model;
     const TinkerConstraints *all = &model->constraints;
-    tie_together(model, contacts->tied);
+    tinker_sets_begin(contacts->tied, model->bodies);
+    for (int32_t row = 0; row < all->rows; row++)
+        tinker_contacts_tie(model, row, contacts->tied);
     name_by_first(contacts->tied, model->bodies);
     memcpy(contacts->group, contacts->tied, (gsize)model->bodies * sizeof(int32_t));
     for (int32_t row = 0; row < all->rows; row++)

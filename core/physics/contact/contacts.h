@@ -412,6 +412,8 @@ void tinker_contacts_along(const TinkerContacts *contacts, const TinkerContact *
 void tinker_contacts_relative_acceleration(const TinkerContacts *contacts, const TinkerContact *contact,
                                            const double *a, double along[2]);
 
+/* Joins the bodies of a constraint row, among sets of bodies (numerics/solve/disjoint-sets.h). */
+void tinker_contacts_tie(const TinkerModel *model, int32_t row, int32_t *sets);
 /* The first body of a constraint row; -1 for none. */
 int32_t tinker_contacts_row_body(const TinkerContacts *contacts, int32_t row);
 /* v += what the multiplier `lambda` of a row that holds in one direction only, slack or not, does to all bodies. */

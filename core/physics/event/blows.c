@@ -169,7 +169,7 @@ static gboolean act(Blow *blow, GError **error)
     memcpy(blow->before, run->state.v, bytes);
     if (!answer_by_joints(blow)) return tinker_island_run_fail(run, run->model->failure, error);
     memcpy(blow->held, run->state.v, bytes);
-    if (run->contacts != NULL && !tinker_contact_run_close_blow(run->contacts, error)) return FALSE;
+    if (run->contacts != NULL && !tinker_contact_run_close_blow(run->contacts, blow->given, error)) return FALSE;
     book(blow);
     tinker_method_restart(run->choice.method, run->stepper);
     return TRUE;

@@ -2,6 +2,7 @@
 #include <glib/gi18n-lib.h>
 #include <math.h>
 
+#include "numerics/solve/disjoint-sets.h"
 #include "physics/contact/contacts.h"
 #include "physics/contact/tolerances.h"
 #include "physics/event/contact-change-private.h"
@@ -195,6 +196,58 @@ static gboolean note_least_rise(TinkerContactChange *change, double *pairs)
     return TRUE;
 }
 
+/* Whether the impulse on a touch is more than rounding. */
+static gboolean is_struck(const TinkerContactChange *change, guint number, const double *impulses)
+{
+    const double by_mass = change->model->inverse_mass[tinker_touch(change, number)->contact.body];
+    return !tinker_touch_resists(change, number) && impulses[2 * number] * by_mass > TINKER_STILL * change->speed;
+}
+
+/* Sets of bodies that joints tie together, and contacts and ropes that are struck. */
+static void find_sets(const TinkerContactChange *change, const double *impulses, int32_t *sets)
+{
+    const TinkerModel *model = change->model;
+    const gboolean *unilateral = model->constraints.unilateral;
+    tinker_sets_begin(sets, model->bodies);
+    for (int32_t row = 0; row < model->constraints.rows; row++)
+        if (unilateral == NULL || !unilateral[row]) tinker_contacts_tie(model, row, sets);
+    for (guint i = 0; impulses != NULL && i < change->touches->len; i++) {
+        if (!is_struck(change, i, impulses)) continue;
+        const TinkerTouch *at = tinker_touch(change, i);
+        const TinkerTouchingPair *pair = at->row < 0 ? tinker_touch_plate(change, i)->pair : NULL;
+        if (at->row >= 0) tinker_contacts_tie(model, at->row, sets);
+        if (pair != NULL && pair->point[1] < model->bodies) tinker_sets_join(sets, pair->point[0], pair->point[1]);
+    }
+}
+
+/* Tells, once, of the first pin that a blow passes without its friction: one of what is tied to what blocks or contacts
+ * strike. `impulses`: of contacts; NULL: there are none. */
+static void warn_of_pins(TinkerContactChange *change, const double *impulses)
+{
+    const TinkerModel *model = change->model;
+    TinkerIslandRun *run = change->run->run;
+    if (change->contacts->pin_count == 0 || change->run->warned_pins) return;
+    g_autofree int32_t *sets = g_new(int32_t, model->bodies);
+    g_autofree gboolean *struck = g_new0(gboolean, model->bodies);
+    find_sets(change, impulses, sets);
+    for (guint i = 0; impulses != NULL && i < change->touches->len; i++)
+        if (is_struck(change, i, impulses))
+            struck[tinker_sets_first(sets, tinker_touch(change, i)->contact.body)] = TRUE;
+    for (int32_t c = 0; change->run->given != NULL && c < model->coordinates; c++)
+        if (change->run->given[c] != 0) struck[tinker_sets_first(sets, tinker_model_moved_by(model, c))] = TRUE;
+    for (guint i = 0; i < change->touches->len && !change->run->warned_pins; i++) {
+        if (!tinker_touch_is_pin(change, i) || !struck[tinker_sets_first(sets, tinker_touch(change, i)->contact.body)])
+            continue;
+        const int32_t row = tinker_touch_plate(change, i)->joint_row;
+        change->run->warned_pins = TRUE;
+        tinker_summary_warn_of_scene(
+            &run->summary,
+            g_strdup_printf(_("%s: its friction takes no part in the blow at %.6g s, which passes it as "
+                              "if it were smooth: what follows is the motion without that"),
+                            tinker_scene_block_name(model->scene, model->constraints.blocks[row]), run->state.t));
+    }
+}
+
 /* The impact itself; `again`: what is left of it, without any rebound. */
 static gboolean strike(TinkerContactChange *change, gboolean again, GError **error)
 {
@@ -223,32 +276,16 @@ static gboolean strike(TinkerContactChange *change, gboolean again, GError **err
         at->struck |= laws.answers[2 * bearer] > 0;
         if (laws.answers[2 * i] > 0) at->contact.normal = laws.answers[2 * i];
     }
+    warn_of_pins(change, laws.answers);
     if (!tinker_change_push_all(change, laws.answers))
         return tinker_change_refuse(change, change->model->failure, error);
     return !is_squeezed(change) || refuse_squeezed(change, error);
 }
 
-/* Tells, once, of the first pin that a blow passes without its friction. */
-static void warn_of_pins(TinkerContactChange *change)
-{
-    TinkerIslandRun *run = change->run->run;
-    for (guint i = 0; i < change->touches->len && !change->run->warned_pins; i++) {
-        if (!tinker_touch_is_pin(change, i)) continue;
-        const int32_t row = tinker_touch_plate(change, i)->joint_row;
-        change->run->warned_pins = TRUE;
-        tinker_summary_warn_of_scene(
-            &run->summary,
-            g_strdup_printf(_("%s: its friction takes no part in the blow at %.6g s, which passes it as "
-                              "if it were smooth: what follows is the motion without that"),
-                            tinker_scene_block_name(change->model->scene, change->model->constraints.blocks[row]),
-                            run->state.t));
-    }
-}
-
 gboolean tinker_change_strike(TinkerContactChange *change, GError **error)
 {
     const gboolean blow = approaches(change, TINKER_STILL);
-    if (blow || change->trigger.kind == TINKER_TRIGGER_BLOW) warn_of_pins(change);
+    if (!blow && change->trigger.kind == TINKER_TRIGGER_BLOW) warn_of_pins(change, NULL);
     if (blow || change->trigger.kind == TINKER_TRIGGER_GAP) {
         g_autofree double *pairs = g_new(double, 2 * change->touches->len + 1);
         if (!note_least_rise(change, pairs)) return tinker_change_refuse(change, change->model->failure, error);

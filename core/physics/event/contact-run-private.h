@@ -66,6 +66,7 @@ struct _TinkerContactRun {
     double last_impact, passed_impact; /* s */
     gboolean warned;                   /* that the outcome depends on the law of impact; */
     gboolean warned_pins;              /* that a blow passed a pin with friction */
+    const double *given; /* by coordinate: what a blow that blocks give, and is passed now, gave; or NULL */
 
     /* the step in progress */
     TinkerState from;                       /* where it began; the books included */

@@ -255,14 +255,17 @@ gboolean tinker_contact_run_open_blow(TinkerContactRun *self, GError **error)
     return enter_plane(self, error);
 }
 
-gboolean tinker_contact_run_close_blow(TinkerContactRun *self, GError **error)
+gboolean tinker_contact_run_close_blow(TinkerContactRun *self, const double *given, GError **error)
 {
     const TinkerTrigger blow = {.kind = TINKER_TRIGGER_BLOW, .row = -1};
     self->passed = TRUE;
     self->quiet = 0;
     self->hint = INFINITY;
     self->expects = FALSE;
-    return tinker_contact_run_change(self, &blow, tinker_contact_run_closed_gap(self), 0, error);
+    self->given = given;
+    const gboolean done = tinker_contact_run_change(self, &blow, tinker_contact_run_closed_gap(self), 0, error);
+    self->given = NULL;
+    return done;
 }
 
 gboolean tinker_contact_run_pass(TinkerContactRun *self, GError **error)

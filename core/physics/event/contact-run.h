@@ -23,9 +23,10 @@ gboolean tinker_contact_run_pass(TinkerContactRun *contact_run, GError **error);
 gboolean tinker_contact_run_reclassify(TinkerContactRun *contact_run, GError **error);
 
 /* Around a blow that changes velocities: the island is stepped in the plane from the first on; the second lets contacts
- * answer, without rebound where they were closed. */
+ * answer, without rebound where they were closed. `given`: by coordinate, the changes of velocities that blocks gave.
+ */
 gboolean tinker_contact_run_open_blow(TinkerContactRun *contact_run, GError **error);
-gboolean tinker_contact_run_close_blow(TinkerContactRun *contact_run, GError **error);
+gboolean tinker_contact_run_close_blow(TinkerContactRun *contact_run, const double *given, GError **error);
 
 /* Before a step to `limit`: notes where it starts. Answers the limit, or an event that is known to come before it. */
 double tinker_contact_run_begin(TinkerContactRun *contact_run, double limit);
