@@ -391,14 +391,15 @@ static TinkerStatus look_at_places(TinkerContactRun *self, double from, double t
 
 /* Soon ------------------------------------------------------------------------------------------------------------- */
 
-/* Whether steps are held to a tolerance and nothing acts that swings by itself: what a few places within a short part
- * of a step tell holds between them.
- */
-static gboolean acts_evenly(const TinkerContactRun *self)
+/* Whether steps are held to a tolerance and nothing acts that swings by itself, so that what a few places of a step
+ * tell holds between them. A body may turn many times within a step that its own motion does not limit: its corners are
+ * as far off at three places that are half a turn apart, whatever they do in between. */
+static gboolean acts_evenly(const TinkerContactRun *self, double step)
 {
     const TinkerModel *model = self->model;
     return tinker_method_is_adaptive(self->run->choice.method) && !self->exact && model->waveform_batches->len == 0 &&
-           model->asked_forces->len == 0 && model->moving_supports == 0 && model->constraints.unilateral == NULL;
+           model->asked_forces->len == 0 && model->moving_supports == 0 && model->constraints.unilateral == NULL &&
+           highest_rate(self) * step <= TINKER_LONGEST_ARC;
 }
 
 /* The values of triggers of places at a node of the step: of all (`which` is NULL), or of some. */
@@ -530,7 +531,8 @@ TinkerStatus tinker_contact_run_search(TinkerContactRun *self, double from, doub
     if (varies_slowly(self)) status = look_at_places(self, from, to, &clear);
     if (clear || status != TINKER_OK) return status;
     gboolean done = FALSE;
-    if (self->contacts->closed->len > 0 && acts_evenly(self)) status = search_soon(self, from, to, found, time, &done);
+    if (self->contacts->closed->len > 0 && acts_evenly(self, to - from))
+        status = search_soon(self, from, to, found, time, &done);
     if (status != TINKER_OK) return status;
     if (done && found->kind == TINKER_TRIGGER_NONE) return TINKER_OK;
     if (done) return find_slope(self, found, from, to, *time, slope);
