@@ -145,6 +145,38 @@ static void test_lying_bodies(void)
     }
 }
 
+/* The length of a slack cord is known as placed, also where something else is drawn as it lies; not any more once a
+ * body has been placed, until it is told. */
+static void test_wound(void)
+{
+    g_autoptr(TinkerScene) scene = scene_fixture_read_blocks(
+        "{\"type\": \"disc\", \"name\": \"D\", \"position\": [0, 3], \"radius\": 0.1},"
+        "{\"type\": \"mass\", \"name\": \"M\", \"position\": [0, 1]},"
+        "{\"type\": \"cord\", \"name\": \"C\", \"ends\": [\"D\", \"M\"], \"length\": 3},"
+        "{\"type\": \"rope\", \"name\": \"R\", \"ends\": [\"D\", \"M\"], \"length\": 3},"
+        "{\"type\": \"support\", \"name\": \"Floor\", \"position\": [5, 0], \"width\": 4, \"height\": 0.2},"
+        "{\"type\": \"mass\", \"name\": \"Lies\", \"position\": [5, 0.35], \"width\": 0.5, \"height\": 0.5}");
+    g_autoptr(TinkerFrame) frame = tinker_frame_new(scene, NULL);
+    const TinkerBlockId cord = tinker_scene_find_block(scene, "C"), rope = tinker_scene_find_block(scene, "R"),
+                        mass = tinker_scene_find_block(scene, "M");
+    const TinkerBlockClass *block_class = tinker_scene_block_class(scene, cord);
+    const int32_t column = tinker_block_class_meaning_column(block_class, TINKER_MEANING_LENGTH);
+    TinkerInstance instance;
+    g_assert_cmpfloat(tinker_frame_length(frame, cord), ==, 3);
+    tinker_tops_turn_bodies(frame);
+    g_assert_cmpfloat(tinker_frame_length(frame, cord), ==, 3);
+    tinker_frame_place(frame, mass, 0, 2, 0);
+    g_assert_true(isnan(tinker_frame_length(frame, cord)));
+    g_assert_true(tinker_frame_instance(frame, cord, &instance));
+    g_assert_true(isnan(instance.columns[column]));
+    tinker_frame_set_length(frame, cord, 2.5);
+    g_assert_true(tinker_frame_instance(frame, cord, &instance));
+    g_assert_cmpfloat(instance.columns[column], ==, 2.5);
+    tinker_frame_set_length(frame, rope, 2.5);
+    tinker_frame_set_length(frame, tinker_scene_id_limit(scene), 2.5);
+    g_assert_true(isnan(tinker_frame_length(frame, rope)));
+}
+
 /* What was noted up to the frame's time, and no time twice; a block that leaves none has none. */
 static void test_paths(void)
 {
@@ -175,6 +207,7 @@ static void add_tests(void)
 {
     g_test_add_func("/scene/frame/paths", test_paths);
     g_test_add_func("/scene/frame/lying-bodies", test_lying_bodies);
+    g_test_add_func("/scene/frame/wound", test_wound);
     g_test_add_func("/scene/frame/quantity", test_quantity);
     g_test_add_func("/scene/frame/side-by-side", test_side_by_side);
     g_test_add_func("/scene/frame/alone", test_alone);

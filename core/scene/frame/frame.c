@@ -317,6 +317,11 @@ void tinker_frame_place(TinkerFrame *frame, TinkerBlockId block, double x, doubl
         frame->lengths[i] = NAN;
 }
 
+void tinker_frame_lay(TinkerFrame *frame, TinkerBlockId block, double orientation)
+{
+    frame->poses[block].orientation = orientation;
+}
+
 const TinkerBlockId *tinker_frame_wound(const TinkerFrame *frame, int32_t *count)
 {
     *count = (int32_t)frame->wound->len;

@@ -29,6 +29,9 @@ gboolean tinker_frame_set_time(TinkerFrame *frame, double t, GError **error);
 /* Puts a body that can move somewhere; how long what is wound is, is not known then until it is told. */
 void tinker_frame_place(TinkerFrame *frame, TinkerBlockId block, double x, double y, double orientation);
 
+/* Shows a body that has no turn of its own turned by so much (rad) about its centre, where all its ends are. */
+void tinker_frame_lay(TinkerFrame *frame, TinkerBlockId block, double orientation);
+
 /* The blocks that are wound on bodies, and how long (m) what is off the body of one of them is now, with what of it is
  * slack: it depends on the way of the run up to here, which the places do not tell. NAN: not known. */
 const TinkerBlockId *tinker_frame_wound(const TinkerFrame *frame, int32_t *count);

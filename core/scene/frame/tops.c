@@ -154,10 +154,8 @@ void tinker_tops_turn_bodies(TinkerFrame *frame)
         if (!tinker_class_can_lie(tinker_scene_block_class(scene, body))) continue;
         for (guint k = 0; k < tops->len; k++) {
             const TinkerTop *top = &g_array_index(tops, TinkerTop, k);
-            double x, y, orientation;
             if (!tinker_top_touches(frame, top, body)) continue;
-            tinker_frame_centre(frame, body, &x, &y, &orientation);
-            tinker_frame_place(frame, body, x, y, top->angle);
+            tinker_frame_lay(frame, body, top->angle);
             break;
         }
     }
