@@ -25,6 +25,12 @@ typedef struct {
     int32_t row;
 } Location;
 
+/* How long a block is that is wound, as it was told when bodies had been placed so often. */
+typedef struct {
+    double length;
+    guint64 placings;
+} WoundLength;
+
 struct _TinkerFrame {
     TinkerScene *scene;
     double time;
@@ -34,14 +40,15 @@ struct _TinkerFrame {
     Pose *poses;  /* by block id, now */
     TinkerMotions *motions;
     Location *locations;
-    double *columns;    /* of the instance handed out last */
-    const char **texts; /* likewise; borrowed from the scene */
-    GArray *ends;       /* likewise, of TinkerEnd */
-    double symbol_size; /* m, that instances report */
-    double *lanes;      /* by block id: see lanes.h */
-    GArray *wound;      /* of TinkerBlockId: what is wound on bodies; */
-    double *lengths;    /* how long each of them is now, in that order */
-    TinkerPaths *paths; /* of the blocks that leave one; NULL where there are none */
+    double *columns;      /* of the instance handed out last */
+    const char **texts;   /* likewise; borrowed from the scene */
+    GArray *ends;         /* likewise, of TinkerEnd */
+    double symbol_size;   /* m, that instances report */
+    double *lanes;        /* by block id: see lanes.h */
+    GArray *wound;        /* of TinkerBlockId: what is wound on bodies */
+    WoundLength *lengths; /* by block id; of other blocks unused */
+    guint64 placings;     /* how often a body has been placed: what was told of lengths before holds no longer */
+    TinkerPaths *paths;   /* of the blocks that leave one; NULL where there are none */
 };
 
 static void locate(TinkerFrame *frame)
@@ -226,10 +233,10 @@ static void list_wound(TinkerFrame *frame)
         if (tinker_block_class_is_wound(batch->block_class))
             g_array_append_vals(frame->wound, batch->ids, (guint)batch->count);
     }
-    frame->lengths = g_new0(double, MAX(frame->wound->len, 1));
-    for (guint i = 0; i < frame->wound->len; i++)
-        frame->lengths[i] =
-            tinker_frame_meaning(frame, g_array_index(frame->wound, TinkerBlockId, i), TINKER_MEANING_LENGTH, 0, NAN);
+    for (guint i = 0; i < frame->wound->len; i++) {
+        const TinkerBlockId block = g_array_index(frame->wound, TinkerBlockId, i);
+        tinker_frame_set_length(frame, block, tinker_frame_meaning(frame, block, TINKER_MEANING_LENGTH, 0, NAN));
+    }
 }
 
 TinkerFrame *tinker_frame_new(TinkerScene *scene, GError **error)
@@ -248,6 +255,7 @@ TinkerFrame *tinker_frame_new(TinkerScene *scene, GError **error)
     frame->locations = g_new0(Location, MAX(frame->limit, 1));
     frame->ends = g_array_new(FALSE, TRUE, sizeof(TinkerEnd));
     frame->wound = g_array_new(FALSE, FALSE, sizeof(TinkerBlockId));
+    frame->lengths = g_new0(WoundLength, MAX(frame->limit, 1));
     locate(frame);
     int32_t widest = 1, properties = 1;
     for (guint i = 0; i < frame->batches->len; i++) {
@@ -313,8 +321,7 @@ gboolean tinker_frame_set_time(TinkerFrame *frame, double t, GError **error)
 void tinker_frame_place(TinkerFrame *frame, TinkerBlockId block, double x, double y, double orientation)
 {
     frame->poses[block] = (Pose){x, y, orientation};
-    for (guint i = 0; i < frame->wound->len; i++)
-        frame->lengths[i] = NAN;
+    frame->placings++;
 }
 
 void tinker_frame_lay(TinkerFrame *frame, TinkerBlockId block, double orientation)
@@ -328,17 +335,21 @@ const TinkerBlockId *tinker_frame_wound(const TinkerFrame *frame, int32_t *count
     return (const TinkerBlockId *)(gpointer)frame->wound->data;
 }
 
+static gboolean is_wound(const TinkerFrame *frame, TinkerBlockId block)
+{
+    const TinkerBlockBatch *batch = block < frame->limit ? frame->locations[block].batch : NULL;
+    return batch != NULL && tinker_block_class_is_wound(batch->block_class);
+}
+
 void tinker_frame_set_length(TinkerFrame *frame, TinkerBlockId block, double length)
 {
-    for (guint i = 0; i < frame->wound->len; i++)
-        if (g_array_index(frame->wound, TinkerBlockId, i) == block) frame->lengths[i] = length;
+    if (is_wound(frame, block)) frame->lengths[block] = (WoundLength){length, frame->placings};
 }
 
 double tinker_frame_length(const TinkerFrame *frame, TinkerBlockId block)
 {
-    for (guint i = 0; i < frame->wound->len; i++)
-        if (g_array_index(frame->wound, TinkerBlockId, i) == block) return frame->lengths[i];
-    return NAN;
+    if (!is_wound(frame, block) || frame->lengths[block].placings != frame->placings) return NAN;
+    return frame->lengths[block].length;
 }
 
 void tinker_frame_centre(const TinkerFrame *frame, TinkerBlockId block, double *x, double *y, double *orientation)

@@ -33,7 +33,8 @@ void tinker_frame_place(TinkerFrame *frame, TinkerBlockId block, double x, doubl
 void tinker_frame_lay(TinkerFrame *frame, TinkerBlockId block, double orientation);
 
 /* The blocks that are wound on bodies, and how long (m) what is off the body of one of them is now, with what of it is
- * slack: it depends on the way of the run up to here, which the places do not tell. NAN: not known. */
+ * slack: it depends on the way of the run up to here, which the places do not tell. NAN: not known. What is told of a
+ * block that is not wound, or that the frame does not have, is passed over. */
 const TinkerBlockId *tinker_frame_wound(const TinkerFrame *frame, int32_t *count);
 void tinker_frame_set_length(TinkerFrame *frame, TinkerBlockId block, double length);
 double tinker_frame_length(const TinkerFrame *frame, TinkerBlockId block);
