@@ -177,6 +177,37 @@ static void test_wound(void)
     g_assert_true(isnan(tinker_frame_length(frame, rope)));
 }
 
+/* Wound is what has one row of two ends that speaks of angles, with a radius and a length. */
+static void test_what_is_wound(void)
+{
+    g_autoptr(TinkerScene) scene =
+        scene_fixture_read_blocks("{\"type\": \"disc\", \"name\": \"D\", \"position\": [0, 3], \"radius\": 0.1},"
+                                  "{\"type\": \"cord\", \"name\": \"C\", \"ends\": [\"D\", [0, 0]]},"
+                                  "{\"type\": \"rope\", \"name\": \"R\", \"ends\": [\"D\", [0, 0]]}");
+    const TinkerBlockClass *cord = tinker_scene_block_class(scene, tinker_scene_find_block(scene, "C"));
+    g_assert_true(tinker_block_class_is_wound(cord));
+    g_assert_false(tinker_block_class_is_wound(tinker_scene_block_class(scene, tinker_scene_find_block(scene, "R"))));
+    static const int32_t meanings[] = {TINKER_MEANING_RADIUS, TINKER_MEANING_LENGTH};
+    for (gsize i = 0; i < G_N_ELEMENTS(meanings); i++) {
+        TinkerBlockClass other = *cord;
+        other.meanings[meanings[i]] = -1;
+        g_assert_false(tinker_block_class_is_wound(&other));
+    }
+    for (int change = 0; change < 3; change++) {
+        TinkerBlockType type = *cord->type;
+        TinkerConstraint constraint = *cord->physics->constraint;
+        TinkerPhysics physics = *cord->physics;
+        TinkerBlockClass other = *cord;
+        if (change == 0) type.most_ends = 3;
+        if (change == 1) constraint.rows = 2;
+        if (change == 2) constraint.angles = 0;
+        physics.constraint = &constraint;
+        other.type = &type;
+        other.physics = &physics;
+        g_assert_false(tinker_block_class_is_wound(&other));
+    }
+}
+
 /* What was noted up to the frame's time, and no time twice; a block that leaves none has none. */
 static void test_paths(void)
 {
@@ -208,6 +239,7 @@ static void add_tests(void)
     g_test_add_func("/scene/frame/paths", test_paths);
     g_test_add_func("/scene/frame/lying-bodies", test_lying_bodies);
     g_test_add_func("/scene/frame/wound", test_wound);
+    g_test_add_func("/scene/frame/what-is-wound", test_what_is_wound);
     g_test_add_func("/scene/frame/quantity", test_quantity);
     g_test_add_func("/scene/frame/side-by-side", test_side_by_side);
     g_test_add_func("/scene/frame/alone", test_alone);

@@ -51,13 +51,9 @@ static void place_anew(TinkerModel *model, const TinkerConstraintBatch *part, in
     }
 }
 
-/* One row of two ends, with a radius. */
 static gboolean is_wound(const TinkerConstraintBatch *part)
 {
-    const TinkerBlockClass *block_class = part->batch->block_class;
-    return part->angles != NULL && part->constraint->rows == 1 && block_class->type->most_ends == 2 &&
-           tinker_block_class_is_wound(block_class) &&
-           tinker_block_class_meaning_column(block_class, TINKER_MEANING_RADIUS) >= 0;
+    return tinker_block_class_is_wound(part->batch->block_class);
 }
 
 static G_NO_INLINE TinkerStatus rewind_all(TinkerModel *model, double t, const double *q, const double *v)

@@ -198,7 +198,9 @@ gboolean tinker_block_class_speaks_of_angles(const TinkerBlockClass *block_class
 gboolean tinker_block_class_is_wound(const TinkerBlockClass *block_class)
 {
     const TinkerPhysics *physics = block_class->physics;
-    return physics != NULL && physics->constraint != NULL && physics->constraint->angles &&
+    if (physics == NULL || physics->body != NULL || physics->constraint == NULL) return FALSE;
+    return physics->constraint->angles != 0 && physics->constraint->rows == 1 && block_class->type->least_ends == 2 &&
+           block_class->type->most_ends == 2 && block_class->meanings[TINKER_MEANING_RADIUS] >= 0 &&
            block_class->meanings[TINKER_MEANING_LENGTH] >= 0;
 }
 

@@ -49,7 +49,7 @@ gboolean tinker_block_class_has_angle(const TinkerBlockClass *block_class);
 gboolean tinker_block_class_speaks_of_angles(const TinkerBlockClass *block_class);
 
 /* Whether its length is wound on a body, as a cord's: it counts from how that is turned at the start, and is not the
- * distance between the ends. */
+ * distance between the ends. That is a constraint of one row and two ends with `angles`, a radius and a length. */
 gboolean tinker_block_class_is_wound(const TinkerBlockClass *block_class);
 
 /* Whether it gives its ends blows (the force element's next_blow): these may come from anywhere. */

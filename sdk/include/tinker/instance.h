@@ -24,7 +24,7 @@ typedef struct TinkerInstance {
     const char *name;      /* "Spring 0" */
     const double *columns; /* the instance's columns, in the order of the declaration, SI; of a waveform its value,
                                first and second derivative at `time`; the length of what is wound on a body
-                               (TINKER_MEANING_LENGTH of a constraint with `angles`) as it is then: NAN: not known */
+                               (a row with `angles`, TINKER_MEANING_RADIUS and _LENGTH) as it is then; NAN: not known */
     const TinkerEnd *end;  /* of a block that is itself a body: none */
     double x, y;           /* its centre now; of a connector the middle of its ends; of a block that has neither ends
                                nor a place (a field): the corner of the canvas where the host wants it shown */
