@@ -86,7 +86,9 @@ static gboolean fix_placed_lengths(Continuation *continuation, TinkerBlockId blo
 static gboolean set_wound_length(Continuation *continuation, TinkerBlockId block, GError **error)
 {
     const double length = tinker_frame_length(continuation->now, block);
-    if (isnan(length)) return TRUE; /* not wound; or an end was detached: there was no run with it */
+    /* Not wound; an end was detached, so that there was no run with it; or whoever placed the bodies did not tell it:
+     * what the scene has is kept. */
+    if (isnan(length)) return TRUE;
     return set_meaning(continuation, block, TINKER_MEANING_LENGTH, &length, error);
 }
 
