@@ -76,6 +76,13 @@ static void common_place(TinkerFrame *frame, const TinkerBlockId *targets, int32
             tinker_frame_to_world(frame, targets[i], centre, place);
 }
 
+/* A place of the world in the axes of what an end is to be on: of a point mass always its centre. */
+static void own_place(TinkerFrame *frame, TinkerBlockId block, const double place[2], double own[2])
+{
+    own[0] = own[1] = 0;
+    if (freedoms_of(tinker_frame_scene(frame), block) != 2) tinker_frame_to_own(frame, block, place, own);
+}
+
 int32_t tinker_joint_drop(TinkerHistory *history, TinkerScene *scene, TinkerBlockId joint, double x, double y,
                           double reach)
 {
@@ -86,7 +93,7 @@ int32_t tinker_joint_drop(TinkerHistory *history, TinkerScene *scene, TinkerBloc
     double place[2] = {x, y}, own[2][2] = {{0, 0}, {0, 0}};
     common_place(frame, targets, count, reach, place);
     for (int32_t i = 0; i < count; i++)
-        if (freedoms_of(scene, targets[i]) != 2) tinker_frame_to_own(frame, targets[i], place, own[i]);
+        own_place(frame, targets[i], place, own[i]);
     for (int32_t end = 0; end < 2; end++) {
         const int32_t i = count - 1 - end;
         const TinkerSceneEnd to = i >= 0 ? (TinkerSceneEnd){targets[i], own[i][0], own[i][1]}
@@ -114,14 +121,23 @@ static double nearest_places(TinkerFrame *frame, const TinkerBlockId blocks[2], 
     return nearest;
 }
 
-void tinker_joint_put_between(TinkerHistory *history, TinkerScene *scene, TinkerBlockId joint,
-                              const TinkerBlockId blocks[2])
+/* Answers how many of them were taken, in their order. */
+static int32_t set_ends(TinkerHistory *history, TinkerBlockId joint, const TinkerSceneEnd ends[2])
+{
+    int32_t set = 0;
+    while (set < 2 && tinker_history_set_end(history, joint, set, ends[set], NULL))
+        set++;
+    return set;
+}
+
+int32_t tinker_joint_put_between(TinkerHistory *history, TinkerScene *scene, TinkerBlockId joint,
+                                 const TinkerBlockId blocks[2])
 {
     g_autoptr(TinkerFrame) frame = tinker_frame_new(scene, NULL);
     double own[2][2];
-    if (frame == NULL || !isfinite(nearest_places(frame, blocks, own))) return;
-    for (int32_t end = 0; end < 2; end++)
-        tinker_history_set_end(history, joint, end, (TinkerSceneEnd){blocks[end], own[end][0], own[end][1]}, NULL);
+    if (frame == NULL || !isfinite(nearest_places(frame, blocks, own))) return 0;
+    return set_ends(history, joint,
+                    (TinkerSceneEnd[]){{blocks[0], own[0][0], own[0][1]}, {blocks[1], own[1][0], own[1][1]}});
 }
 
 /* Whether another joint has an end on the block at this place of its own. */
@@ -148,32 +164,64 @@ static TinkerBlockId other_at(TinkerFrame *frame, TinkerBlockId joint, TinkerBlo
     return TINKER_NO_BLOCK;
 }
 
-void tinker_joint_put_on(TinkerHistory *history, TinkerScene *scene, TinkerBlockId joint, TinkerBlockId block)
+/* Where a joint could go on a block. */
+typedef struct {
+    double place[2];   /* in the world */
+    double own[2];     /* in the block's axes */
+    TinkerBlockId met; /* what it would join the block to there; or TINKER_NO_BLOCK */
+} JointPlace;
+
+/* Near a place of the block's own: a point mass that lies there has its centre alone, which the block has to reach. */
+static JointPlace joint_place(TinkerFrame *frame, TinkerBlockId joint, TinkerBlockId block, const double own[2])
+{
+    static const double centre[2] = {0, 0};
+    TinkerScene *scene = tinker_frame_scene(frame);
+    JointPlace at = {.own = {own[0], own[1]}};
+    double middle[2];
+    tinker_frame_to_world(frame, block, own, at.place);
+    at.met = other_at(frame, joint, block, at.place);
+    if (at.met == TINKER_NO_BLOCK || freedoms_of(scene, at.met) != 2) return at;
+    tinker_frame_to_world(frame, at.met, centre, middle);
+    if (freedoms_of(scene, block) != 2) {
+        memcpy(at.place, middle, sizeof middle);
+        tinker_frame_to_own(frame, block, middle, at.own);
+    } else if (hypot(middle[0] - at.place[0], middle[1] - at.place[1]) > SAME_PLACE) {
+        at.met = TINKER_NO_BLOCK;
+    }
+    return at;
+}
+
+/* What meets another block first, then what is higher, then what is further left. */
+static gboolean is_better(const JointPlace *a, const JointPlace *b)
+{
+    const double above = a->place[1] - b->place[1];
+    if ((a->met != TINKER_NO_BLOCK) != (b->met != TINKER_NO_BLOCK)) return a->met != TINKER_NO_BLOCK;
+    return fabs(above) > SAME_PLACE ? above > 0 : a->place[0] < b->place[0];
+}
+
+int32_t tinker_joint_put_on(TinkerHistory *history, TinkerScene *scene, TinkerBlockId joint, TinkerBlockId block)
 {
     g_autoptr(TinkerFrame) frame = tinker_frame_new(scene, NULL);
-    if (frame == NULL) return;
-    double marked[MOST_PLACES][2], place[2], best[2] = {NAN, NAN}, there[2] = {0, 0};
+    if (frame == NULL) return 0;
+    double marked[MOST_PLACES][2], own[2];
     const int32_t count = marked_places(frame, block, marked);
     const double height = tinker_frame_meaning(frame, block, TINKER_MEANING_HEIGHT, 0, 0);
     const gboolean is_long = count == MOST_PLACES && 2 * marked[1][0] > LONG * height;
-    TinkerBlockId met = TINKER_NO_BLOCK;
-    for (int32_t i = is_long ? 1 : 0; i < (is_long ? count : 1); i++) {
-        if (is_long && is_jointed_at(scene, joint, block, marked[i])) continue;
-        tinker_frame_to_world(frame, block, marked[i], place);
-        const TinkerBlockId other = other_at(frame, joint, block, place);
-        const double above = place[1] - best[1];
-        const gboolean higher = fabs(above) > SAME_PLACE ? above > 0 : place[0] < best[0];
-        const gboolean better =
-            (other != TINKER_NO_BLOCK) == (met != TINKER_NO_BLOCK) ? higher : met == TINKER_NO_BLOCK;
-        if (!isnan(best[0]) && !better) continue;
-        met = other;
-        memcpy(best, place, sizeof best);
-        memcpy(there, marked[i], sizeof there);
+    JointPlace best = {.met = TINKER_NO_BLOCK};
+    gboolean found = FALSE;
+    for (int32_t i = 1; is_long && i < count; i++) {
+        const JointPlace at = joint_place(frame, joint, block, marked[i]);
+        if (is_jointed_at(scene, joint, block, marked[i]) || is_jointed_at(scene, joint, block, at.own)) continue;
+        if (found && !is_better(&at, &best)) continue;
+        best = at;
+        found = TRUE;
     }
-    double own[2] = {best[0], best[1]}; /* in the world where there is nothing to join it to */
-    if (met != TINKER_NO_BLOCK) tinker_frame_to_own(frame, met, best, own);
-    tinker_history_set_end(history, joint, 0, (TinkerSceneEnd){block, there[0], there[1]}, NULL);
-    if (!isnan(best[0])) tinker_history_set_end(history, joint, 1, (TinkerSceneEnd){met, own[0], own[1]}, NULL);
+    if (!found) best = joint_place(frame, joint, block, marked[0]);
+    memcpy(own, best.place, sizeof own); /* in the world where there is nothing to join it to */
+    if (best.met != TINKER_NO_BLOCK) own_place(frame, best.met, best.place, own);
+    const int32_t set =
+        set_ends(history, joint, (TinkerSceneEnd[]){{block, best.own[0], best.own[1]}, {best.met, own[0], own[1]}});
+    return best.met != TINKER_NO_BLOCK ? set : MIN(set, 1);
 }
 
 static gboolean are_joined(TinkerScene *scene, TinkerBlockId a, TinkerBlockId b)

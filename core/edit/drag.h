@@ -28,13 +28,17 @@ gboolean tinker_is_joint(TinkerScene *scene, TinkerBlockId block);
 int32_t tinker_joint_drop(TinkerHistory *history, TinkerScene *scene, TinkerBlockId joint, double x, double y,
                           double reach);
 
-/* Puts a joint between two blocks, where their centres or ends are nearest to each other. Inside a step. */
-void tinker_joint_put_between(TinkerHistory *history, TinkerScene *scene, TinkerBlockId joint,
-                              const TinkerBlockId blocks[2]);
+/* Puts a joint between two blocks, where their centres or ends are nearest to each other. Inside a step. Answers how
+ * many ends found their block: where the first is refused the second stays as it is. */
+int32_t tinker_joint_put_between(TinkerHistory *history, TinkerScene *scene, TinkerBlockId joint,
+                                 const TinkerBlockId blocks[2]);
 
 /* Puts a joint onto one block: at an end of a long body that no joint is at yet, best where another block lies, which
- * it then joins it to, else at the upper or the left one; at the centre of any other. Inside a step. */
-void tinker_joint_put_on(TinkerHistory *history, TinkerScene *scene, TinkerBlockId joint, TinkerBlockId block);
+ * it then joins it to, else at the upper or the left one; at the centre of any other, or where both ends have joints.
+ * Where a point mass lies there it goes to the centre of that. Inside a step. Answers how many ends found a block:
+ * where the first is refused the second stays as it is, and lies beside the first where there is nothing to join it to.
+ */
+int32_t tinker_joint_put_on(TinkerHistory *history, TinkerScene *scene, TinkerBlockId joint, TinkerBlockId block);
 
 /* The topmost body whose centre or an end of it lies within `reach` (m) of one of this body's, both of which turn and
  * have no joint yet; TINKER_NO_BLOCK where there is none. */

@@ -247,6 +247,49 @@ static void test_joint_on_one(Stage *stage, gconstpointer data)
     tinker_history_free(history);
 }
 
+static void expect_loose(TinkerScene *scene, TinkerBlockId joint, int32_t number, double x, double y)
+{
+    const TinkerSceneEnd end = tinker_scene_end(scene, joint, number);
+    g_assert_cmpint(end.block, ==, TINKER_NO_BLOCK);
+    g_assert_cmpfloat_with_epsilon(end.x, x, 1e-12);
+    g_assert_cmpfloat_with_epsilon(end.y, y, 1e-12);
+}
+
+/* A point mass over the end of a bar is joined at its centre; the next pin goes to the other end, and where both have
+ * one the next to the middle. What no end can be on takes none. */
+static void test_joint_on_point_mass(Stage *stage, gconstpointer data)
+{
+    g_autoptr(TinkerScene) scene = scene_fixture_read_blocks(
+        "{\"type\": \"bar\", \"name\": \"Bar\", \"position\": [0, 0], \"orientation\": \"90 deg\"},"
+        "{\"type\": \"mass\", \"name\": \"Point\", \"position\": [0.02, -0.45], \"width\": 0.4, \"height\": 0.4},"
+        "{\"type\": \"spring\", \"name\": \"S\", \"ends\": [[-1, 0.2], [1, 0.2]]},"
+        "{\"type\": \"pin\", \"name\": \"First\", \"ends\": [[9, 9], [9, 9]]},"
+        "{\"type\": \"pin\", \"name\": \"Second\", \"ends\": [[9, 9], [9, 9]]},"
+        "{\"type\": \"pin\", \"name\": \"Third\", \"ends\": [[9, 9], [9, 9]]}");
+    TinkerHistory *history = tinker_history_new(scene);
+    const TinkerBlockId bar = tinker_scene_find_block(scene, "Bar"), spring = tinker_scene_find_block(scene, "S"),
+                        first = tinker_scene_find_block(scene, "First"),
+                        second = tinker_scene_find_block(scene, "Second"),
+                        third = tinker_scene_find_block(scene, "Third");
+    tinker_history_begin(history, "Join", NULL);
+    g_assert_cmpint(tinker_joint_put_on(history, scene, first, spring), ==, 0);
+    expect_loose(scene, first, 0, 9, 9);
+    expect_loose(scene, first, 1, 9, 9);
+    g_assert_cmpint(tinker_joint_put_between(history, scene, first, (TinkerBlockId[]){spring, bar}), ==, 0);
+    expect_loose(scene, first, 1, 9, 9);
+    g_assert_cmpint(tinker_joint_put_on(history, scene, first, bar), ==, 2);
+    expect_end(scene, "First", 0, "Bar", -0.45, -0.02);
+    expect_end(scene, "First", 1, "Point", 0, 0);
+    g_assert_cmpint(tinker_joint_put_on(history, scene, second, bar), ==, 1);
+    expect_end(scene, "Second", 0, "Bar", 0.5, 0);
+    expect_loose(scene, second, 1, 0, 0.5);
+    g_assert_cmpint(tinker_joint_put_on(history, scene, third, bar), ==, 1);
+    expect_end(scene, "Third", 0, "Bar", 0, 0);
+    expect_loose(scene, third, 1, 0, 0);
+    tinker_history_end(history);
+    tinker_history_free(history);
+}
+
 /* Ends that meet are found, until they are joined; what does not turn has none. */
 static void test_bodies_meet(Stage *stage, gconstpointer data)
 {
@@ -428,6 +471,7 @@ static void add_tests(void)
     add("/edit/drag/connect-along-top", test_connect_along_top);
     add("/edit/drag/connect-to-what-turns", test_connect_to_what_turns);
     add("/edit/drag/joint-drop", test_joint_drop);
+    add("/edit/drag/joint-on-point-mass", test_joint_on_point_mass);
     add("/edit/drag/joint-on-one", test_joint_on_one);
     add("/edit/drag/bodies-meet", test_bodies_meet);
     add("/edit/drag/detach", test_detach);
