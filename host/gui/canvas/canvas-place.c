@@ -132,14 +132,11 @@ static int connect_to(TinkerCanvas *canvas, TinkerBlockId block, const TinkerBlo
     TinkerScene *scene = tinker_document_scene(canvas->document);
     int32_t ends = tinker_scene_end_count(scene, block), end = 0;
     if (count == 2 && tinker_is_joint(scene, block)) {
-        tinker_joint_put_between(history, scene, block, targets);
-        tinker_joined_bring(history, scene, targets[0]);
-        return count;
+        end = tinker_joint_put_between(history, scene, block, targets);
+        if (end == count) tinker_joined_bring(history, scene, targets[0]);
+        return end;
     }
-    if (count == 1 && tinker_is_joint(scene, block)) {
-        tinker_joint_put_on(history, scene, block, targets[0]);
-        return count;
-    }
+    if (count == 1 && tinker_is_joint(scene, block)) return tinker_joint_put_on(history, scene, block, targets[0]);
     for (int i = 0; i < count && end < ends; i++)
         if (tinker_history_set_end(history, block, end, (TinkerSceneEnd){targets[i], 0, 0}, NULL)) end++;
     return end;
