@@ -533,6 +533,42 @@ static void test_rope(CliFixture *fixture, gconstpointer data)
     cJSON_Delete(root);
 }
 
+/* Two wheels on an arm: what a gear does to one of the three has its opposite on no single one of the others. */
+static void test_gear_has_no_partner(CliFixture *fixture, gconstpointer data)
+{
+    static const char gear[] =
+        "{\"tinker\": 1, \"run\": {\"duration\": 0.5}, \"blocks\": ["
+        "{\"type\": \"support\", \"name\": \"Axle\", \"position\": [0, 0], \"solid\": false},"
+        "{\"type\": \"bar\", \"name\": \"Arm\", \"length\": 0.5, \"position\": [0.25, 0], \"solid\": false},"
+        "{\"type\": \"disc\", \"name\": \"D1\", \"radius\": 0.3, \"position\": [0, 0], \"solid\": false},"
+        "{\"type\": \"disc\", \"name\": \"D2\", \"radius\": 0.2, \"position\": [0.5, 0], \"solid\": false},"
+        "{\"type\": \"pin\", \"ends\": [\"Axle\", {\"block\": \"Arm\", \"at\": [-0.25, 0]}]},"
+        "{\"type\": \"pin\", \"ends\": [\"Axle\", \"D1\"]},"
+        "{\"type\": \"pin\", \"ends\": [{\"block\": \"Arm\", \"at\": [0.25, 0]}, \"D2\"]},"
+        "{\"type\": \"torque\", \"name\": \"Drive\", \"ends\": [\"D1\"], \"amplitude\": 3},"
+        "{\"type\": \"gear\", \"name\": \"G\", \"ends\": [\"D1\", \"D2\", \"Arm\"]}]}";
+    static const char *const bodies[] = {"D1", "D2", "Arm"};
+    g_autofree char *scene = cli_write(fixture, "scene.json", gear);
+    for (gsize i = 0; i < G_N_ELEMENTS(bodies); i++) {
+        g_autofree char *command = g_strdup_printf("diagram @scene.json --block %s --time 0.1", bodies[i]);
+        g_autofree char *as_json = g_strconcat(command, " --as json", NULL);
+        g_autoptr(TestProgram) page = cli_run_well(fixture, command);
+        g_assert_null(strstr(page->output, "G, end"));
+        g_assert_null(strstr(page->output, "on to"));
+        cJSON *root = parsed(fixture, as_json);
+        const cJSON *force;
+        int found = 0;
+        cJSON_ArrayForEach(force, cJSON_GetObjectItem(root, "forces"))
+        {
+            if (strcmp(cJSON_GetObjectItem(force, "from")->valuestring, "G") != 0) continue;
+            g_assert_true(cJSON_IsNull(cJSON_GetObjectItem(force, "partner")));
+            found++;
+        }
+        g_assert_cmpint(found, ==, 1);
+        cJSON_Delete(root);
+    }
+}
+
 /* The couple that a diagram has from a block. */
 static double couple_from(CliFixture *fixture, const char *command, const char *from)
 {
@@ -648,6 +684,7 @@ int main(int argc, char **argv)
     cli_test_add("/cli/equations-turning/books", test_books);
     cli_test_add("/cli/equations-turning/redundant", test_redundant);
     cli_test_add("/cli/equations-turning/rope", test_rope);
+    cli_test_add("/cli/equations-turning/gear-has-no-partner", test_gear_has_no_partner);
     cli_test_add("/cli/equations-turning/spans", test_spans);
     cli_test_add("/cli/equations-turning/gears", test_gears);
     cli_test_add("/cli/equations-turning/drive", test_drive);

@@ -33,6 +33,15 @@ static TinkerTermKind kind_of(TinkerScene *scene, const TinkerActingForce *actin
     return strcmp(category, TINKER_CONNECTOR) == 0 ? TINKER_TERM_CONNECTOR : TINKER_TERM_FORCE;
 }
 
+/* A path over more than two ends, along which each span pulls at both of its ends alike: a constraint of places alone.
+ * What speaks of angles, as a gear does, may act on each of its ends otherwise. */
+static gboolean is_rope(TinkerScene *scene, TinkerBlockId by)
+{
+    const TinkerPhysics *physics = tinker_scene_block_class(scene, by)->physics;
+    return tinker_scene_end_count(scene, by) > 2 && physics != NULL && physics->constraint != NULL &&
+           physics->constraint->angles == 0;
+}
+
 /* Who stands at the other end: of a rope its neighbours on the path. -1 for none. */
 static void find_partners(TinkerScene *scene, const TinkerActingForce *acting, TinkerBlockId partners[2])
 {
@@ -42,6 +51,7 @@ static void find_partners(TinkerScene *scene, const TinkerActingForce *acting, T
         return;
     }
     const int32_t ends = tinker_scene_end_count(scene, acting->by);
+    if (ends > 2 && !is_rope(scene, acting->by)) return;
     int found = 0;
     if (acting->end < 0 && ends == 2) { /* across a rod that is held straight */
         const TinkerBlockId first = tinker_scene_end(scene, acting->by, 0).block;
@@ -78,7 +88,7 @@ static void add_forces(TinkerDiagram *diagram, TinkerScene *scene, const TinkerM
                                           .on = acting->on,
                                           .partner = partners[0],
                                           .second = partners[1],
-                                          .end = tinker_scene_end_count(scene, acting->by) > 2 ? acting->end + 1 : 0};
+                                          .end = is_rope(scene, acting->by) ? acting->end + 1 : 0};
         g_array_append_val(diagram->forces, force);
     }
 }
