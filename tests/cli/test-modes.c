@@ -132,6 +132,29 @@ static void test_pictures(CliFixture *fixture, gconstpointer data)
     g_assert_true(exists(fixture, "response.svg"));
 }
 
+/* A cord that is longer than its way hangs in a picture of a mode, too: a line of many pieces in the colour of what is
+ * slack, of which the marks of its ends are as well. */
+static void test_picture_of_slack_cord(CliFixture *fixture, gconstpointer data)
+{
+    g_autofree char *scene =
+        cli_write(fixture, "scene.json",
+                  "{\"tinker\": 1, \"blocks\": [{\"type\": \"gravity\"},"
+                  "{\"type\": \"support\", \"name\": \"Axle\", \"position\": [0, 3], \"solid\": false},"
+                  "{\"type\": \"support\", \"name\": \"Hook\", \"position\": [0, 1], \"solid\": false},"
+                  "{\"type\": \"disc\", \"name\": \"D\", \"position\": [0, 2.9], \"radius\": 0.2, \"solid\": false},"
+                  "{\"type\": \"pin\", \"ends\": [\"Axle\", {\"block\": \"D\", \"at\": [0, 0.1]}]},"
+                  "{\"type\": \"cord\", \"ends\": [\"D\", \"Hook\"], \"length\": 3}]}");
+    g_autoptr(TestProgram) program = cli_run_well(fixture, "modes @scene.json -o @shape.svg --theme print");
+    g_autofree char *svg = cli_read(fixture, "shape-1.svg");
+    g_auto(GStrv) lines = g_strsplit(svg, "\n", -1);
+    guint hanging = 0;
+    for (char **line = lines; *line != NULL; line++) {
+        g_auto(GStrv) pieces = g_strsplit(*line, " L ", -1);
+        if (strstr(*line, "stroke:rgb(75.294118%,0%,6.27451%)") != NULL && g_strv_length(pieces) > 10) hanging++;
+    }
+    g_assert_cmpuint(hanging, ==, 1);
+}
+
 /* Every row of the CSV against 1 / (100 - omega^2 + 2 i omega). */
 static void test_response_csv(CliFixture *fixture, gconstpointer data)
 {
@@ -247,6 +270,7 @@ int main(int argc, char **argv)
     cli_test_add("/cli/modes/json", test_json);
     cli_test_add("/cli/modes/assumed", test_assumed);
     cli_test_add("/cli/modes/pictures", test_pictures);
+    cli_test_add("/cli/modes/picture-of-slack-cord", test_picture_of_slack_cord);
     cli_test_add("/cli/modes/response-csv", test_response_csv);
     cli_test_add("/cli/modes/no-rest", test_no_rest);
     cli_test_add("/cli/modes/one-place", test_one_place);

@@ -4,6 +4,7 @@
 #include <glib/gi18n.h>
 #include <math.h>
 
+#include "physics/constraint/constraints.h"
 #include "render/picture/painter.h"
 
 #define SHARE 0.12 /* of the scene's greater side */
@@ -22,6 +23,23 @@ static double offset(const TinkerMode *mode, int32_t coordinate, double amplitud
     return amplitude * (mode->real[coordinate] * cos(phase) - mode->imaginary[coordinate] * sin(phase));
 }
 
+/* Of what is wound on bodies, as it is there. Asking for it sets the model's time, which takes back that it is held. */
+static void tell_lengths(TinkerFrame *frame, const TinkerModeAnalysis *analysis, const TinkerMode *mode,
+                         double amplitude, double phase)
+{
+    const int32_t coordinates = tinker_model_sizes(analysis->model).coordinates;
+    int32_t count;
+    const TinkerBlockId *wound = tinker_frame_wound(frame, &count);
+    if (count == 0) return;
+    g_autofree double *q = g_new(double, MAX(coordinates, 1)), *still = g_new0(double, MAX(coordinates, 1));
+    for (int32_t i = 0; i < coordinates; i++)
+        q[i] = analysis->q[i] + offset(mode, i, amplitude, phase);
+    for (int32_t i = 0; i < count; i++)
+        tinker_frame_set_length(frame, wound[i],
+                                tinker_constraints_wound_length(analysis->model, 0, q, still, wound[i]));
+    (void)tinker_model_hold(analysis->model);
+}
+
 void tinker_mode_place(TinkerFrame *frame, const TinkerModeAnalysis *analysis, const TinkerMode *mode, double amplitude,
                        double phase)
 {
@@ -36,6 +54,7 @@ void tinker_mode_place(TinkerFrame *frame, const TinkerModeAnalysis *analysis, c
         y = origin[1] + analysis->q[2 * body + 1] + offset(mode, 2 * body + 1, amplitude, phase);
         tinker_frame_place(frame, block, x, y, orientation);
     }
+    tell_lengths(frame, analysis, mode, amplitude, phase);
 }
 
 char *tinker_mode_caption(const TinkerMode *mode, guint number)
