@@ -1,6 +1,6 @@
-/* How long the arrow of a force is follows from the forces at the start of the run, all of them, and stays so; of a
- * velocity or an acceleration from the greatest of the run: lengths can be compared, over time and from body to body.
- */
+/* How long the arrow of a force is follows from the forces at the start of the run, all of them; while later ones would
+ * be longer than half of the view, from those. Of a velocity or an acceleration it follows from the greatest of the
+ * run. So lengths can be compared, over time and from body to body. */
 #include "gui/canvas/canvas-forces.h"
 
 #include <math.h>
@@ -12,6 +12,7 @@
 
 struct _CanvasForces {
     double pixels;                 /* canvas units per N, for a factor of 1; 0: not known yet */
+    double peak_pixels;            /* likewise, while forces have outgrown that; 0: they have not */
     guint64 scaled_revision;       /* of the document's history, that it belongs to */
     gboolean start_is_known_empty; /* no force acts at the start of that revision */
     CanvasVectors *vectors;
@@ -47,17 +48,12 @@ static gboolean shows(TinkerDocument *document, const TinkerActingForce *force, 
     return selected == 0 && tinker_force_acts_on_moving(scene, force);
 }
 
-/* One scale for a run: from the forces at its start, or where there are none from the first that there are; until
- * forces outgrow it. */
+/* One scale for a run: from the forces at its start, or where there are none from the first that there are. */
 static void choose_scale(CanvasForces *forces, const GArray *acting, TinkerDocument *document, double time,
                          const TinkerView *view)
 {
     const guint64 revision = tinker_history_revision(tinker_document_history(document));
     const gboolean edited = forces->scaled_revision != revision;
-    if (tinker_force_arrows_outgrow(acting, view, forces->pixels)) {
-        forces->pixels = tinker_force_arrows_scale(acting, view, 0);
-        return;
-    }
     if (forces->pixels > 0 && !(edited && time == 0)) return;
     if (edited) forces->start_is_known_empty = FALSE;
     g_autoptr(GArray) start = tinker_acting_forces_array();
@@ -70,6 +66,14 @@ static void choose_scale(CanvasForces *forces, const GArray *acting, TinkerDocum
     forces->scaled_revision = revision;
     if (!tinker_force_arrows_any(known)) return;
     forces->pixels = tinker_force_arrows_scale(known, view, forces->pixels);
+}
+
+/* The scale for what acts now: that of the run, and while forces have outgrown it, as in a blow, one of their own. */
+static double scale_now(CanvasForces *forces, const GArray *acting, const TinkerView *view)
+{
+    const gboolean outgrown = tinker_force_arrows_outgrow(acting, view, forces->pixels);
+    forces->peak_pixels = outgrown ? tinker_force_arrows_scale(acting, view, forces->peak_pixels) : 0;
+    return outgrown ? forces->peak_pixels : forces->pixels;
 }
 
 static gboolean is_shown(TinkerBlockId body, void *document)
@@ -113,9 +117,10 @@ void canvas_forces_draw(CanvasForces *forces, cairo_t *cairo, TinkerDocument *do
     if (look->trails || any) canvas_vectors_update(forces->vectors, document, player);
     g_autofree char *marks = draw_trails(forces, cairo, document, player, view, look);
     g_autoptr(GArray) shown = shown_forces(document, acting, look);
+    const double pixels = scale_now(forces, acting, view);
     TinkerForceArrows arrows = {.scene = tinker_document_scene(document),
                                 .acting = shown,
-                                .pixels = look->factor * forces->pixels,
+                                .pixels = look->factor * pixels,
                                 .texts = look->texts,
                                 .marks = marks,
                                 .lit = look->lit};

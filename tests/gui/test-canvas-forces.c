@@ -1,0 +1,70 @@
+/* Forces on the canvas, without a display: how long they are drawn. */
+#include <string.h>
+
+#include "gui/canvas/canvas-forces.h"
+#include "player-fixture.h"
+
+#define SIDE 400 /* canvas units */
+
+/* 1 N on what hardly moves, and 1000 N for a moment about 0.5 s. */
+#define PUSHED                                                                                                         \
+    "'run': {'duration': 1, 'interval': 0.01}, 'blocks': ["                                                            \
+    "{'type': 'mass', 'name': 'M', 'mass': 1e12},"                                                                     \
+    "{'type': 'motor', 'name': 'F', 'ends': ['M'], 'waveform': {'expression': '1 + 999*exp(-((t - 0.5)/0.05)^2)'}}]"
+
+/* What is drawn at a time (s). (transfer full) */
+static GBytes *drawn_at(PlayerFixture *fixture, CanvasForces *forces, double time)
+{
+    const TinkerView view = {.scale = 40, .origin_x = SIDE / 2, .origin_y = SIDE / 2, .width = SIDE, .height = SIDE};
+    const CanvasForcesLook look = {
+        .theme = tinker_theme_find("light"), .factor = 1, .lit = TINKER_NO_BLOCK, .forces = TRUE};
+    cairo_surface_t *surface = cairo_image_surface_create(CAIRO_FORMAT_ARGB32, SIDE, SIDE);
+    cairo_t *cairo = cairo_create(surface);
+    g_assert_nonnull(look.theme);
+    tinker_player_seek(fixture->player, time);
+    canvas_forces_draw(forces, cairo, fixture->document, fixture->player, &view, &look);
+    cairo_destroy(cairo);
+    cairo_surface_flush(surface);
+    GBytes *bytes =
+        g_bytes_new(cairo_image_surface_get_data(surface), (gsize)cairo_image_surface_get_stride(surface) * SIDE);
+    cairo_surface_destroy(surface);
+    return bytes;
+}
+
+/* Whether anything is drawn in this column of the canvas, below the key. */
+static gboolean reaches(GBytes *picture, int column)
+{
+    const guint32 *pixels = g_bytes_get_data(picture, NULL);
+    for (int row = SIDE / 4; row < 3 * SIDE / 4; row++)
+        if (pixels[row * SIDE + column] != 0) return TRUE;
+    return FALSE;
+}
+
+/* A blow is drawn shorter than it would be, so that it is seen whole; what comes behind it, and the run when it is
+ * shown again, as before it. */
+static void test_peak(void)
+{
+    g_autoptr(PlayerFixture) fixture = player_fixture_new(PUSHED);
+    CanvasForces *forces = canvas_forces_new();
+    player_play(fixture);
+    player_wait_until(fixture, 1);
+    g_autoptr(GBytes) before = drawn_at(fixture, forces, 0.1), peak = drawn_at(fixture, forces, 0.5),
+                      behind = drawn_at(fixture, forces, 0.9), again = drawn_at(fixture, forces, 0.1);
+    g_assert_true(reaches(before, SIDE / 2 + 10));
+    g_assert_true(reaches(peak, SIDE / 2 + 10));
+    g_assert_false(reaches(peak, SIDE - 2));
+    g_assert_false(g_bytes_equal(before, peak));
+    g_assert_true(g_bytes_equal(before, behind));
+    g_assert_true(g_bytes_equal(before, again));
+    canvas_forces_free(forces);
+}
+
+static void add_tests(void)
+{
+    g_test_add_func("/canvas-forces/peak", test_peak);
+}
+
+int main(int argc, char **argv)
+{
+    return scene_fixture_main(argc, argv, add_tests);
+}
