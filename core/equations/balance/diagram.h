@@ -8,13 +8,13 @@
 typedef struct {
     TinkerBlockId from; /* the block that acts; of a contact the other one that touches */
     TinkerTermKind kind;
-    double point[2];  /* m */
-    double force[2];  /* N */
-    double torque;    /* N m: beside that of the force at its point */
-    TinkerBlockId on; /* which of the bodies it acts on */
+    double point[2];       /* m */
+    double force[2];       /* N */
+    double torque;         /* N m: beside that of the force at its point */
+    TinkerBlockId on;      /* which of the bodies it acts on */
     TinkerBlockId partner; /* the block at the other end, on which the opposite force acts; -1: no single one */
     TinkerBlockId second;  /* of a rope over a wheel: the other neighbour on its path; else -1 */
-    int32_t end;          /* of a rope over more than two ends: the number of the one it acts at, from 1 on; else 0 */
+    int32_t end;           /* of a rope over more than two ends: the number of the one it acts at, from 1 on; else 0 */
 } TinkerDiagramForce;
 
 typedef struct {
