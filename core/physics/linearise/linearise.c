@@ -28,6 +28,14 @@ TinkerStatus tinker_model_hold(TinkerModel *model)
     return status;
 }
 
+double tinker_model_held_length(TinkerModel *model, const double *q, TinkerBlockId block)
+{
+    g_autofree double *still = g_new0(double, MAX(model->coordinates, 1));
+    const double length = tinker_constraints_wound_length(model, 0, q, still, block);
+    (void)tinker_model_hold(model); /* which setting the time has taken back */
+    return length;
+}
+
 void tinker_model_start_places(const TinkerModel *model, double *q)
 {
     memcpy(q, model->q_start, (gsize)model->coordinates * sizeof(double));

@@ -47,6 +47,10 @@ typedef struct {
  * places relative to its origin. It is not to be run any more: its supports have lost their velocities. */
 TinkerStatus tinker_model_hold(TinkerModel *model);
 
+/* The length (m) of what is off the body that a block is wound on, with the bodies at these places; NAN where it is not
+ * wound. */
+double tinker_model_held_length(TinkerModel *model, const double *q, TinkerBlockId block);
+
 /* About these places (by coordinate). NULL with TINKER_MODEL_ERROR_RUN where a force cannot be worked out there.
  * (transfer full) */
 TinkerLinearisation *tinker_linearise(TinkerModel *model, const double *q, GError **error);

@@ -4,7 +4,6 @@
 #include <glib/gi18n.h>
 #include <math.h>
 
-#include "physics/constraint/constraints.h"
 #include "render/picture/painter.h"
 
 #define SHARE 0.12 /* of the scene's greater side */
@@ -23,7 +22,7 @@ static double offset(const TinkerMode *mode, int32_t coordinate, double amplitud
     return amplitude * (mode->real[coordinate] * cos(phase) - mode->imaginary[coordinate] * sin(phase));
 }
 
-/* Of what is wound on bodies, as it is there. Asking for it sets the model's time, which takes back that it is held. */
+/* Of what is wound on bodies, as it is there. */
 static void tell_lengths(TinkerFrame *frame, const TinkerModeAnalysis *analysis, const TinkerMode *mode,
                          double amplitude, double phase)
 {
@@ -31,13 +30,11 @@ static void tell_lengths(TinkerFrame *frame, const TinkerModeAnalysis *analysis,
     int32_t count;
     const TinkerBlockId *wound = tinker_frame_wound(frame, &count);
     if (count == 0) return;
-    g_autofree double *q = g_new(double, MAX(coordinates, 1)), *still = g_new0(double, MAX(coordinates, 1));
+    g_autofree double *q = g_new(double, MAX(coordinates, 1));
     for (int32_t i = 0; i < coordinates; i++)
         q[i] = analysis->q[i] + offset(mode, i, amplitude, phase);
     for (int32_t i = 0; i < count; i++)
-        tinker_frame_set_length(frame, wound[i],
-                                tinker_constraints_wound_length(analysis->model, 0, q, still, wound[i]));
-    (void)tinker_model_hold(analysis->model);
+        tinker_frame_set_length(frame, wound[i], tinker_model_held_length(analysis->model, q, wound[i]));
 }
 
 void tinker_mode_place(TinkerFrame *frame, const TinkerModeAnalysis *analysis, const TinkerMode *mode, double amplitude,

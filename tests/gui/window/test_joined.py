@@ -2,7 +2,7 @@
 """Joints: where a pin goes, and what follows when a body that is joined is moved."""
 import math
 
-from harness import App, check, check_close, check_equal, main, scene, support, wait
+from harness import App, check, check_close, check_equal, main, scene, spring, support, wait
 from harness import colours
 
 
@@ -114,6 +114,15 @@ def test_pin_for_one_bar_and_a_support_for_it(display):
         check_equal(blocks["Support 0"]["position"], [0.5, 1], "where it hangs")
         app.click("Play")
         wait(lambda: app.time() == 1, "the run")
+
+
+def test_pin_for_a_spring_is_on_nothing(display):
+    """No pin can be on one: it does not go onto the bar beneath with its other end alone."""
+    with App(display, scene(bar("Bar", 0, 0), spring("Link", (-2, 0), (2, 0)))) as app:
+        app.click(app.find_starting("list item", "Link, Spring"))
+        app.place("Pin")
+        first, second = app.blocks()["Pin 0"]["ends"]
+        check_equal(first, second, "where both its ends lie")
 
 
 if __name__ == "__main__":
