@@ -309,9 +309,12 @@ static void on_searched(TinkerOutline *outline)
     mirror(outline);
 }
 
-/* Return in the search entry selects the first block that was found. */
+/* Return in the search entry selects the first block that is found by what stands there, of which the list may not know
+ * yet: it is told of changes some time after they are made. */
 static void on_search_activated(TinkerOutline *outline)
 {
+    if (*gtk_editable_get_text(GTK_EDITABLE(outline->search)) == '\0') return;
+    on_searched(outline);
     if (g_list_model_get_n_items(G_LIST_MODEL(outline->selection)) == 0) return;
     gtk_selection_model_select_item(outline->selection, 0, TRUE);
     on_activated(outline);

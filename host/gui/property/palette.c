@@ -202,9 +202,13 @@ static void on_searched(TinkerPalette *palette)
     gtk_widget_set_visible(palette->none, !any);
 }
 
-/* Return places the first that is found. */
+/* Return places the first that is found by what stands in the entry, of which the list may not know yet: it is told of
+ * changes some time after they are made. Where nothing is searched for, nothing has been found. */
 static void on_search_activated(TinkerPalette *palette)
 {
+    g_auto(GStrv) stems = tinker_search_stems(gtk_editable_get_text(GTK_EDITABLE(palette->search)));
+    if (*stems == NULL) return;
+    on_searched(palette);
     for (GtkWidget *child = gtk_widget_get_first_child(palette->list); child != NULL;
          child = gtk_widget_get_next_sibling(child)) {
         if (item_of(child) == NULL || !gtk_widget_get_visible(child)) continue;

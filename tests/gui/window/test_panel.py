@@ -190,6 +190,16 @@ def test_outline_selects(display):
         app.wait_read("Appearance", "Name", "B")
 
 
+def test_return_selects_what_was_searched_for_at_once(display):
+    """Also before the outline shows what is found, which is a moment after the last key; and nothing where nothing is typed."""
+    with App(display, scene(*(mass(f"M{i}", i, 0) for i in range(9)))) as app:
+        entry = app.find(None, "Search Blocks")
+        app.click(entry)
+        app.press("Return")
+        app.xdotool("type", "--delay", "1", "--args", "1", "m7", "key", "Return")
+        app.wait_read("Appearance", "Name", "M7")
+
+
 def pushed_ball(display):
     motor = {"type": "motor", "name": "F", "ends": ["A"]}
     return App(display, scene(mass("A", 0, 0), motor))

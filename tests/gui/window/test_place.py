@@ -125,5 +125,19 @@ def test_a_spring_to_run_into_is_found(display):
         app.gone("label", "No block has all of these words")
 
 
+def test_return_places_what_was_typed_at_once(display):
+    """Also before the list shows what is found, which is a moment after the last key; and nothing where nothing is typed."""
+    with App(display, scene(mass("Block", 0, 0))) as app:
+        entry = app.find(None, "Find a Block")
+        app.retype(entry, "spring")
+        wait(lambda: shown_of(app, "Bumper", "Disc", "Gear") == ["Bumper"], "what is found by “spring”")
+        app.xdotool("key", "ctrl+a", "type", "--delay", "1", "--args", "1", "gravity", "key", "Return")
+        app.find_starting("list item", "Gravity 0")
+        check_equal(sorted(app.blocks()), ["Block", "Gravity 0"], "blocks")
+        app.click(entry)
+        app.press("Return")
+        check_equal(sorted(app.blocks()), ["Block", "Gravity 0"], "blocks after Return in the empty entry")
+
+
 if __name__ == "__main__":
     main()
