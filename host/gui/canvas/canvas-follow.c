@@ -40,15 +40,17 @@ double canvas_seen_from(const TinkerCanvas *canvas)
 }
 
 /* Where at the edge the mark of a body out of the view is. Fields stand in the upper left corner, `corner` wide and
- * high: a mark goes below them, or beside them where the body is above the view. */
+ * high: a mark goes below them, or beside them where the body is above the view or below them is no room. */
 static void mark_at(const TinkerCanvas *canvas, const double place[2], const double corner[2], double at[2])
 {
     const double off = MARK + EDGE, top = canvas_seen_from(canvas);
-    at[0] = CLAMP(place[0], off, fmax(canvas->view.width - off, off));
-    at[1] = CLAMP(place[1], top + off, fmax(canvas->view.height - off, top + off));
+    const double most[2] = {fmax(canvas->view.width - off, off), fmax(canvas->view.height - off, top + off)};
+    at[0] = CLAMP(place[0], off, most[0]);
+    at[1] = CLAMP(place[1], top + off, most[1]);
     if (at[0] - off >= corner[0] || at[1] - off >= corner[1]) return;
-    const int k = place[0] < 0 ? 1 : 0;
-    at[k] = corner[k] + off;
+    int k = place[0] < 0 ? 1 : 0;
+    if (corner[k] + off > most[k]) k = 1 - k;
+    at[k] = fmin(corner[k] + off, most[k]);
 }
 
 /* A triangle at the edge that points to where the body is, and its name beside it, inside the view. */

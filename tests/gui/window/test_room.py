@@ -86,6 +86,15 @@ def test_mark_at_the_edge_is_not_upon_a_field(display):
         check_equal(colours.fill_count(app.picture(), (left, top, left + 50, top + 60), BODY_EDGE), 0, "pixels of them upon gravity")
 
 
+def test_mark_at_the_edge_is_in_the_view_however_wide_the_fields_are(display):
+    """A body above the view: beside fields that end six pixels from the edge is no room for its mark, so that it is below them."""
+    fields = [{**GRAVITY, "name": f"g{i}"} for i in range(30)]
+    with App(display, scene(*fields, mass("High", -4.9, 50), width=10)) as app:
+        app.show_width()
+        left, top, width, height = app.canvas_box()
+        wait(lambda: colours.fill_count(app.picture(), (left, top, left + width, top + height), BODY_EDGE) > 40, "the mark")
+
+
 def test_names_of_the_pages_are_whole_in_a_small_window(display):
     with App(display, scene(mass("Ball", 0, 0))) as app:
         widest = max(app.windows(), key=lambda window: window[1][2])
