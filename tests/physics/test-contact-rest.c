@@ -212,6 +212,24 @@ static void test_static_coefficient(void)
     contact_assert_event(up, "stick", NULL, 2 / brake, 1e-10);
 }
 
+/* What blows leave of bodies that came to rest, far below rounding, is no lift-off: from a start with it the floor
+ * bears the weight at once, under a mass and under both corners of a box. */
+static void test_bears_at_once(void)
+{
+    static const char *const bodies[] = {
+        "{'type': 'mass', 'name': 'B', 'mass': 3, 'height': 0.8, 'position': [0.5, 0.4], 'velocity': [1e-46, 7e-46]}",
+        "{'type': 'box', 'name': 'B', 'mass': 3, 'position': [0.5, 0.4], 'velocity': [-7e-46, 1e-46],"
+        " 'angular_velocity': -3e-46}"};
+    for (gsize i = 0; i < G_N_ELEMENTS(bodies); i++) {
+        PhysicsOptions options = contact_options(&contact_methods[0], 0.1, "Support 0.normal force, B.y");
+        g_autoptr(PhysicsRun) run = physics_run(&options, CONTACT_WEIGHT CONTACT_FLOOR "}, %s", bodies[i]);
+        for (gsize k = 0; k < physics_samples(run); k++) {
+            physics_assert_near("normal force", physics_value(run, k, 0), 3 * g, 1e-9);
+            physics_assert_near("y", physics_value(run, k, 1), 0.4, 1e-15);
+        }
+    }
+}
+
 static void add_tests(void)
 {
     g_test_add_func("/physics/contact-rest/drop", test_drop);
@@ -223,6 +241,7 @@ static void add_tests(void)
     g_test_add_func("/physics/contact-rest/lands-and-sticks", test_lands_and_sticks);
     g_test_add_func("/physics/contact-rest/threshold", test_threshold);
     g_test_add_func("/physics/contact-rest/static-coefficient", test_static_coefficient);
+    g_test_add_func("/physics/contact-rest/bears-at-once", test_bears_at_once);
 }
 
 int main(int argc, char **argv)

@@ -216,6 +216,7 @@ static gboolean change_group(TinkerContactRun *self, const TinkerTrigger *trigge
     };
     const guint events = run->summary.events->len;
     run->system.system.scales(&run->system, run->state.q, run->state.v, &extent, &change.speed);
+    change.speed = fmax(change.speed, TINKER_SLOWEST);
     gboolean done =
         tinker_change_set_state(&change) == TINKER_OK || tinker_change_refuse(&change, self->model->failure, error);
     if (done) {
