@@ -161,8 +161,10 @@ void history_add(TinkerHistory *history, const HistoryKind *kind, int32_t id, gp
 
 TinkerHistory *tinker_history_new(TinkerScene *scene)
 {
+    static gint histories;
     TinkerHistory *history = g_new0(TinkerHistory, 1);
     history->scene = scene;
+    history->revision = (guint64)g_atomic_int_add(&histories, 1) << 32; /* changes of one that is looked at are fewer */
     history->steps = g_ptr_array_new_with_free_func((GDestroyNotify)step_free);
     return history;
 }

@@ -76,7 +76,8 @@ void tinker_history_redo(TinkerHistory *history);
 gboolean tinker_history_is_saved(const TinkerHistory *history);
 void tinker_history_mark_saved(TinkerHistory *history);
 
-/* A number that grows with every change, undo and redo, also inside an open step. */
+/* A number that grows with every change, undo and redo, also inside an open step. No other history has it: what is
+ * known of one scene is not taken for known of the next. */
 guint64 tinker_history_revision(const TinkerHistory *history);
 
 #endif
