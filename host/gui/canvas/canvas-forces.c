@@ -32,6 +32,13 @@ void canvas_forces_free(CanvasForces *forces)
     g_free(forces);
 }
 
+void canvas_forces_forget(CanvasForces *forces)
+{
+    forces->pixels = forces->peak_pixels = 0;
+    for (int k = 0; k < TINKER_VECTOR_KINDS; k++)
+        forces->vector_pixels[k] = 0;
+}
+
 /* Whether the force is to be seen: of selected bodies those on them, unless `others` those that they exert, too; of
  * selected connectors and fields theirs; with nothing selected those on all that can move. */
 static gboolean shows(TinkerDocument *document, const TinkerActingForce *force, gboolean others)

@@ -16,6 +16,9 @@ typedef struct _CanvasForces CanvasForces;
 CanvasForces *canvas_forces_new(void);
 void canvas_forces_free(CanvasForces *forces);
 
+/* How long arrows are is chosen anew, for another scene. */
+void canvas_forces_forget(CanvasForces *forces);
+
 /* How they are drawn. */
 typedef struct {
     const TinkerTheme *theme;

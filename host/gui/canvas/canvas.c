@@ -322,6 +322,7 @@ static void on_replaced(TinkerCanvas *canvas)
     canvas->placing = canvas->highlighted = canvas->followed = TINKER_NO_BLOCK;
     g_array_set_size(canvas->marked, 0);
     canvas->velocity_scale = 0;
+    canvas_forces_forget(canvas->forces);
     renew_memory(canvas);
     canvas->view_is_set = FALSE;
 }
