@@ -150,12 +150,35 @@ static void test_change_at_the_end(void)
     tinker_player_pause(fixture->player);
     gui_fixture_set(fixture->base, "K", "stiffness", 6.25, 0);
     player_wait_until(fixture, 4);
+    tinker_player_advance(fixture->player, 0);
+    g_assert_cmpint(tinker_player_state(fixture->player), ==, TINKER_PLAYER_PAUSED);
+    player_assert_close(player_height(fixture), 2 - cos(0.5 * OMEGA * 4), CLOSE);
     for (double t = 0; t < 4; t += 0.3) {
         tinker_player_seek(fixture->player, t);
         player_assert_close(player_height(fixture), 2 - cos(0.5 * OMEGA * t), CLOSE);
     }
     g_autoptr(TinkerScene) scene = tinker_player_scene_shown(fixture->player, &start);
     g_assert_cmpfloat(start, ==, 0);
+}
+
+/* A change on the way counts from there on, which is told; made anew, the run is that of the scene as it is. */
+static void test_run_anew(void)
+{
+    g_autoptr(PlayerFixture) fixture = player_fixture_new(OSCILLATOR);
+    player_play(fixture);
+    player_wait_until(fixture, 4);
+    g_assert_true(isnan(tinker_player_changed_at(fixture->player)));
+    tinker_player_pause(fixture->player);
+    tinker_player_seek(fixture->player, 2);
+    gui_fixture_set(fixture->base, "K", "stiffness", 6.25, 0);
+    player_assert_close(tinker_player_changed_at(fixture->player), 2, 1e-12);
+    g_assert_true(tinker_player_run_anew(fixture->player));
+    player_wait_until(fixture, 4);
+    tinker_player_advance(fixture->player, 0);
+    g_assert_true(isnan(tinker_player_changed_at(fixture->player)));
+    g_assert_cmpint(tinker_player_state(fixture->player), ==, TINKER_PLAYER_PAUSED);
+    player_assert_close(tinker_player_time(fixture->player), 2, 0);
+    player_assert_close(player_height(fixture), 2 - cos(0.5 * OMEGA * 2), CLOSE);
 }
 
 /* A start that was edited takes back to it. */
@@ -244,6 +267,7 @@ static void add_tests(void)
 {
     g_test_add_func("/player/change-on-the-way", test_change_on_the_way);
     g_test_add_func("/player/change-at-the-end", test_change_at_the_end);
+    g_test_add_func("/player/run-anew", test_run_anew);
     g_test_add_func("/player/wound", test_wound);
     g_test_add_func("/player/pulled-by-hand", test_pulled_by_hand);
     g_test_add_func("/player/path", test_path);

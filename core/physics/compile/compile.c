@@ -120,7 +120,9 @@ static gboolean compile(TinkerModel *model, GError **error)
     if (!tinker_model_check_start(model, error)) return FALSE;
     if (model->part || model->contacts == NULL) return TRUE;
     tinker_model_set_state(model, model->q_start, model->v_start);
+    const guint before = model->warnings->len;
     tinker_contacts_tell_overlaps(model->contacts, model->warnings);
+    model->overlap_warnings = model->warnings->len - before;
     return TRUE;
 }
 

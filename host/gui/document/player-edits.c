@@ -113,7 +113,7 @@ static void rewind_after_edit(TinkerPlayer *player)
 }
 
 /* A new run from the start in place of the one there is, at the same time. FALSE where the scene cannot run. */
-static gboolean run_anew(TinkerPlayer *player)
+static gboolean record_anew(TinkerPlayer *player)
 {
     TinkerBlockId culprit;
     if (!player_can_run(player, &culprit, NULL)) return FALSE;
@@ -124,6 +124,19 @@ static gboolean run_anew(TinkerPlayer *player)
     return TRUE;
 }
 
+gboolean tinker_player_run_anew(TinkerPlayer *player)
+{
+    const double time = player->time;
+    TinkerBlockId culprit;
+    return record_anew(player) && tinker_player_go_to(player, time, &culprit, NULL);
+}
+
+double tinker_player_changed_at(TinkerPlayer *player)
+{
+    const guint count = player->recording.segments->len;
+    return count > 1 ? player_segment(player, count - 1)->start : NAN;
+}
+
 void player_on_changed(TinkerPlayer *player)
 {
     TinkerDifference difference = player->ran == NULL
@@ -131,13 +144,15 @@ void player_on_changed(TinkerPlayer *player)
                                       : tinker_scene_difference(player->ran, tinker_document_scene(player->document));
     gboolean under_way = player->time > 0;
     player_renew_frame(player);
-    const gboolean on_the_way = difference == TINKER_DIFFERENCE_TUNABLE && player->state == TINKER_PLAYER_PLAYING;
+    const gboolean playing = player->state == TINKER_PLAYER_PLAYING && isnan(player->step_to);
+    const gboolean on_the_way = difference == TINKER_DIFFERENCE_TUNABLE && playing;
     /* of a run that has come to its end nothing is left that could go on with the change */
-    const gboolean ended = difference == TINKER_DIFFERENCE_TUNABLE && under_way &&
-                           player->state != TINKER_PLAYER_PLAYING && player->time >= tinker_player_duration(player);
+    const gboolean ended = difference == TINKER_DIFFERENCE_TUNABLE && under_way && !playing &&
+                           player->time >= tinker_player_duration(player);
     const gboolean tries =
         player->trial && !on_the_way && (player->ran == NULL || difference != TINKER_DIFFERENCE_DRAWING);
-    if ((tries || ended) && run_anew(player)) {
+    if (ended && !tries && tinker_player_run_anew(player)) return;
+    if (tries && record_anew(player)) {
         g_signal_emit(player, player_signals[PLAYER_MOVED], 0);
         return;
     }

@@ -64,7 +64,8 @@ void tinker_player_seek(TinkerPlayer *player, double time)
 {
     if (player->recording.segments->len == 0) return;
     player->time = CLAMP(time, 0, tinker_player_reached(player));
-    if (player->state == TINKER_PLAYER_SETUP) player_set_state(player, TINKER_PLAYER_PAUSED);
+    const gboolean steps = player->state == TINKER_PLAYER_PLAYING && !isnan(player->step_to);
+    if (steps || player->state == TINKER_PLAYER_SETUP) player_set_state(player, TINKER_PLAYER_PAUSED);
     player_moved(player);
 }
 

@@ -50,6 +50,11 @@ gboolean tinker_player_play(TinkerPlayer *player, TinkerBlockId *culprit, GError
 void tinker_player_pause(TinkerPlayer *player);
 /* Goes on by one sample (`forward`) or back by one and pauses there: at once, or when it has been recorded. */
 gboolean tinker_player_step(TinkerPlayer *player, gboolean forward, TinkerBlockId *culprit, GError **error);
+/* Makes the run anew from the start, of the scene as it is, and shows it where time stands as soon as that is recorded.
+ * FALSE where the scene cannot run. */
+gboolean tinker_player_run_anew(TinkerPlayer *player);
+/* s: from when on the run is that of the scene as it is, where that was changed on the way; else NAN. */
+double tinker_player_changed_at(TinkerPlayer *player);
 /* Goes to a time, not beyond what is recorded; goes on playing if it does. */
 void tinker_player_seek(TinkerPlayer *player, double time);
 /* Goes to a time from the start to the end of the run and pauses there: at once, or when it has been recorded. */

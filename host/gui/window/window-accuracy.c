@@ -1,6 +1,7 @@
 /* Accuracy at a glance: the line at the bottom, the notices at the top and the page about it, fed from the plan and the
  * run. */
 #include <glib/gi18n.h>
+#include <math.h>
 
 #include "gui/document/run-choice.h"
 #include "gui/text/sentence.h"
@@ -43,7 +44,8 @@ static gboolean is_among(const GPtrArray *warnings, const char *warning)
     return g_ptr_array_find_with_equal_func((GPtrArray *)warnings, warning, g_str_equal, NULL);
 }
 
-/* Of the plan's warnings those that another method avoids; what is wrong with the start, the advice tells. */
+/* Of the plan's warnings those that another method avoids, and shapes that overlap at the start; what else is wrong
+ * with the start, the advice tells. */
 static void show_plan_notices(TinkerWindow *window)
 {
     const TinkerPlanResult *result = tinker_plan_task_result(window->plan);
@@ -52,6 +54,8 @@ static void show_plan_notices(TinkerWindow *window)
         const char *warning = g_ptr_array_index(result->plan->warnings, i);
         if (is_among(result->avoidable, warning))
             add_notice(notices, window, warning, _("Choose Automatically"), choose_automatically);
+        else if (is_among(result->plan->overlaps, warning))
+            add_notice(notices, window, warning, NULL, NULL);
     }
     tinker_notice_bar_set(window->notices, "plan", notices);
 }
@@ -120,6 +124,31 @@ static void show_look(TinkerWindow *window, gboolean looks)
     tinker_notice_bar_set(window->notices, "until", notices);
 }
 
+static void on_run_anew(void *data)
+{
+    const TinkerWindow *window = data;
+    tinker_player_run_anew(window->player);
+}
+
+/* A run that was changed on the way is of two scenes, one behind the other: that is told as long as it is shown. */
+static void show_changed(TinkerWindow *window)
+{
+    const double changed = tinker_player_changed_at(window->player);
+    if (changed == window->told_changed || (isnan(changed) && isnan(window->told_changed))) return;
+    window->told_changed = changed;
+    GPtrArray *notices = new_notices();
+    if (!isnan(changed)) {
+        static const TinkerDimension seconds = TINKER_DIMENSION_TIME;
+        g_autofree char *time =
+            tinker_quantity_brief(changed, seconds, tinker_scene_head(tinker_document_scene(window->document))->units);
+        g_autofree char *text = g_strdup_printf(
+            _("The change counts from t = %s on: before, the run is that of the scene as it was."), time);
+        g_ptr_array_add(
+            notices, tinker_notice_new(TINKER_NOTICE_HINT, text, _("Run From the Start"), on_run_anew, window, NULL));
+    }
+    tinker_notice_bar_set(window->notices, "changed", notices);
+}
+
 static gboolean on_refresh(void *data)
 {
     TinkerWindow *window = data;
@@ -137,6 +166,7 @@ static gboolean on_refresh(void *data)
     tinker_status_line_show(window->status_line, &facts);
     tinker_playbar_update(window->playbar);
     show_look(window, has_run && !status.finished && status.looks);
+    show_changed(window);
     gboolean over = !has_run || status.finished;
     const guint how = !has_run ? 0 : status.estimate_due ? 1 : 2; /* an estimate that follows may warn of more */
     guint told = over ? 3 * tinker_player_generation(window->player) + how : 0;
@@ -166,6 +196,7 @@ static void on_notice_done(TinkerWindow *window)
 void window_add_accuracy(TinkerWindow *window)
 {
     window->status_line = tinker_status_line_new();
+    window->told_changed = NAN;
     window->notices = tinker_notice_bar_new();
     gtk_box_append(window->status, GTK_WIDGET(window->status_line));
     gtk_box_append(window->banners, GTK_WIDGET(window->notices));

@@ -54,6 +54,7 @@ struct _TinkerWindow {
     TinkerNoticeBar *notices; /* whoever has something to say tells it here, under a name of its own */
     guint refresh;            /* id of the timer, or 0 */
     gboolean told_look;       /* that where the run stops is looked for */
+    double told_changed;      /* s: that a change counts from there on; NAN: none does */
     guint told_run;           /* which run's warnings are shown */
 
     /* Of window-film.c. */
