@@ -145,6 +145,19 @@ static void test_motors(void)
     }
 }
 
+/* Laws that are typed, of time: with names and numbers in which there is a t, too. */
+static void test_typed_laws(void)
+{
+    static const char *const blocks[] = {
+        "{'type': 'mass', 'name': 'M'}, {'type': 'law-force', 'ends': ['M'], 'force_x': '1.5e1*tanh(t) + a*t',"
+        " 'force_y': 'sqrt(t+1)*t^2', 'a': -2}",
+        "{'type': 'mass', 'name': 'M'}, {'type': 'support', 'name': 'S', 'position': [2, 0], 'solid': false},"
+        "{'type': 'law-connector', 'ends': ['S', 'M'], 'tension': '5*(L - 1)*step(sin(3*t)) + t'}",
+        "{'type': 'mass', 'name': 'M'}, {'type': 'law-field', 'potential': 'm*x*cos(4*t)+0.5*m*y^2*exp(-t)'}"};
+    for (gsize i = 0; i < G_N_ELEMENTS(blocks); i++)
+        assert_blocks_continue("typed law", blocks[i], 1.3);
+}
+
 static void test_motions(void)
 {
     static const char *const waveforms[] = {"'cosine', 'amplitude': 0.3, 'frequency': 4",
@@ -323,6 +336,7 @@ static void add_tests(void)
 {
     g_test_add_func("/physics/continued/properties", test_properties);
     g_test_add_func("/physics/continued/motors", test_motors);
+    g_test_add_func("/physics/continued/typed-laws", test_typed_laws);
     g_test_add_func("/physics/continued/motions", test_motions);
     g_test_add_func("/physics/continued/blows", test_blows);
     g_test_add_func("/physics/continued/wound", test_wound);

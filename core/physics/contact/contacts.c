@@ -7,6 +7,7 @@
 
 #include "numerics/solve/disjoint-sets.h"
 #include "physics/contact/contact-pins.h"
+#include "physics/contact/tolerances.h"
 #include "physics/model/model-data.h"
 
 /* Up to so many equations W solves them: one on 79 rods takes 0.36 us so and 1.5 us by elimination, four 1.5 us either
@@ -279,6 +280,11 @@ gboolean tinker_contacts_can_meet(const TinkerContacts *contacts)
     return outlines > 1 || (contacts != NULL && contacts->plate_count > 0);
 }
 
+static gboolean leaves(const TinkerContactPlace *place)
+{
+    return place->normal_speed > 1e-12 * fmax(fabs(place->tangential_speed), TINKER_SLOWEST);
+}
+
 gboolean tinker_contacts_touch(const TinkerContacts *contacts)
 {
     if (contacts->pin_count > 0) return TRUE;
@@ -286,14 +292,12 @@ gboolean tinker_contacts_touch(const TinkerContacts *contacts)
         for (int32_t k = 0; k < contacts->plate_count; k++) {
             TinkerContactPlace place = tinker_contact_place(contacts, body, k);
             double beside = fabs(place.along) - contacts->plates[k].half_width;
-            double still = 1e-12 * fabs(place.tangential_speed);
-            if (fabs(place.gap) <= TINKER_TOUCHING && beside <= TINKER_TOUCHING && place.normal_speed <= still)
-                return TRUE;
+            if (fabs(place.gap) <= TINKER_TOUCHING && beside <= TINKER_TOUCHING && !leaves(&place)) return TRUE;
         }
     for (int32_t k = contacts->plate_count; k < contacts->plate_count + contacts->gap_count; k++) {
         const TinkerContactPlace place = tinker_contact_gap_place(contacts, k);
         if (fabs(place.gap) <= TINKER_TOUCHING && tinker_contact_gap_is_over(contacts, k, TINKER_TOUCHING) &&
-            place.normal_speed <= 1e-12 * fabs(place.tangential_speed))
+            !leaves(&place))
             return TRUE;
     }
     return FALSE;

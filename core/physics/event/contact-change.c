@@ -12,6 +12,7 @@
 
 #include "physics/constraint/constraints.h"
 #include "physics/contact/contacts.h"
+#include "physics/contact/tolerances.h"
 #include "physics/event/contact-change-private.h"
 #include "physics/event/tolerances.h"
 #include "physics/island/island-run.h"

@@ -15,9 +15,6 @@
 #define TINKER_LEFT 1e-2
 /* No unit; of the largest speed: slower is rounding. */
 #define TINKER_STILL 1e-12
-/* m/s: the largest speed counts as no less. In the age of the universe that goes half a metre: what blows left of bodies
- * that came to rest is slower, and is not to be taken for a lift-off. Held by: physics-contact-rest. */
-#define TINKER_SLOWEST 1e-18
 /* No unit; of the largest speed: what closes faster after an impact cannot be kept out. */
 #define TINKER_SQUEEZED 1e-6
 /* No unit; of the largest speed: what slides slower behind a blow is at rest, as a rebound so slow is none. */

@@ -3,6 +3,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <string.h>
 
 #include "scene/store/scene-data.h"
 
@@ -103,6 +104,37 @@ static void shift_waveforms(Continuation *continuation, TinkerBlockId block)
     }
 }
 
+/* The law with `t` counted from an earlier start on: each name that is no more than that becomes (t + T). (transfer
+ * full) */
+static char *later_law(const char *law, double t)
+{
+    g_autoptr(GString) later = g_string_new(NULL);
+    g_autofree char *moved = g_strdup_printf("(t + %.17g)", t);
+    for (const char *at = law; *at != '\0';) {
+        gsize length = 0;
+        while (g_ascii_isalnum(at[length]) || at[length] == '_' || at[length] == '.')
+            length++;
+        if (length == 1 && *at == 't')
+            g_string_append(later, moved);
+        else
+            g_string_append_len(later, at, (gssize)MAX(length, 1));
+        at += MAX(length, 1);
+    }
+    return g_string_free(g_steal_pointer(&later), FALSE);
+}
+
+/* Typed laws that depend on time. */
+static void shift_laws(Continuation *continuation, TinkerBlockId block)
+{
+    const TinkerBlockClass *block_class = tinker_scene_block_class(continuation->scene, block);
+    for (int32_t property = 0; continuation->t != 0 && property < block_class->property_count; property++) {
+        if ((block_class->properties[property].flags & TINKER_TEXT_LAW) == 0) continue;
+        const char *law = tinker_scene_get_text(continuation->scene, block, property);
+        g_autofree char *later = later_law(law, continuation->t);
+        if (strcmp(law, later) != 0) tinker_scene_set_text(continuation->scene, block, property, later);
+    }
+}
+
 /* What has happened by now does not happen again. */
 static gboolean shift_instant(Continuation *continuation, TinkerBlockId block, GError **error)
 {
@@ -119,6 +151,7 @@ static gboolean continue_block(Continuation *continuation, TinkerBlockId block, 
     const TinkerBlockClass *block_class = tinker_scene_block_class(continuation->scene, block);
     if (block_class == NULL) return TRUE;
     shift_waveforms(continuation, block);
+    shift_laws(continuation, block);
     if (!shift_instant(continuation, block, error)) return FALSE;
     const TinkerScene *ran = tinker_frame_scene(continuation->now);
     if (!tinker_scene_has_block(ran, block) || tinker_scene_block_class(ran, block) != block_class) return TRUE;
