@@ -35,13 +35,14 @@ GArray *tinker_contact_turns_new(void)
     return g_array_new(FALSE, FALSE, sizeof(Turns));
 }
 
+/* Steps resolve the motion: what changes again within so little of one does not by the motion. The time since the start
+ * says nothing of that, but for its rounding. */
 void tinker_contact_run_note_turn(TinkerContactRun *self, const TinkerTrigger *trigger)
 {
-    const double t = self->run->state.t;
+    const double t = self->run->state.t, soon = fmax(TINKER_BY_TURNS * self->usual, TINKER_SAME_INSTANT * fabs(t));
     if (!is_of_force(trigger->kind)) return;
     for (guint i = self->turns->len; i-- > 0;)
-        if (t - g_array_index(self->turns, Turns, i).time > TINKER_BY_TURNS * fabs(t))
-            g_array_remove_index_fast(self->turns, i);
+        if (t - g_array_index(self->turns, Turns, i).time > soon) g_array_remove_index_fast(self->turns, i);
     const Turns first = {{trigger->body, trigger->plate, trigger->row}, 1, t};
     Turns *turns = find(self, trigger);
     if (turns == NULL) {

@@ -48,8 +48,8 @@
 #define TINKER_INSTANT (8 * DBL_EPSILON)
 /* No unit; of the time: changes that follow so soon are at one instant. */
 #define TINKER_SAME_INSTANT (64 * DBL_EPSILON)
-/* No unit; of the time: one contact's changes that follow so soon go by turns. */
-#define TINKER_BY_TURNS 1e-7
+/* No unit; of a usual step: one contact's changes that follow so soon go by turns. */
+#define TINKER_BY_TURNS 1e-5
 /* No unit; of the time: a blow that is solved exactly falls within this of its instant. */
 #define TINKER_BLOW_INSTANT (16 * DBL_EPSILON)
 /* No unit: cosines and sines up to here are 0 but for rounding of angles. */
