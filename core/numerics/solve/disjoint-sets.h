@@ -28,4 +28,11 @@ static inline void tinker_sets_join(int32_t *parent, int32_t a, int32_t b)
     parent[MAX(first, second)] = MIN(first, second);
 }
 
+/* Each knows the first of its set by itself, so that two are of one set where their entries are the same. */
+static inline void tinker_sets_settle(int32_t *parent, int32_t count)
+{
+    for (int32_t i = 0; i < count; i++)
+        parent[i] = tinker_sets_first(parent, i);
+}
+
 #endif
