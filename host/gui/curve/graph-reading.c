@@ -8,6 +8,7 @@
 
 #define BISECTIONS 60
 #define SAME_TIME  1e-9 /* of the time: nearer to it is not the next */
+#define CONSTANT   1e-9 /* of the largest value: what varies by less is constant */
 
 static gboolean can_read(const TinkerGraphSeries *series)
 {
@@ -133,11 +134,24 @@ gboolean tinker_graph_reading_at(const TinkerGraphSeries *series, double x, Tink
     return TRUE;
 }
 
+/* By more than rounding makes of what is constant. */
+static gboolean varies(const TinkerGraphSeries *series)
+{
+    const double *y = tinker_graph_series_y(series);
+    const gsize count = tinker_graph_series_count(series);
+    double least = INFINITY, greatest = -INFINITY;
+    for (gsize i = 0; i < count; i++) {
+        least = fmin(least, y[i]);
+        greatest = fmax(greatest, y[i]);
+    }
+    return greatest - least > CONSTANT * fmax(fabs(least), fabs(greatest));
+}
+
 GArray *tinker_graph_reading_extrema(const TinkerGraphSeries *series, guint most)
 {
     GArray *found = g_array_new(FALSE, FALSE, sizeof(TinkerGraphReading));
     const double *x = tinker_graph_series_x(series), *y = tinker_graph_series_y(series);
-    const gsize count = can_read(series) ? tinker_graph_series_count(series) : 0;
+    const gsize count = can_read(series) && varies(series) ? tinker_graph_series_count(series) : 0;
     for (gsize i = 1; i + 1 < count && found->len < most; i++) {
         TinkerGraphReading reading = {.point = i};
         if (extremum_about(x, y, count, i, &reading)) g_array_append_val(found, reading);

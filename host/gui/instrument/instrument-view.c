@@ -67,7 +67,7 @@ static void tell(TinkerInstrumentView *view, const char *text)
 
 static void show_text(TinkerInstrumentView *view, double si)
 {
-    g_autofree char *text = isnan(si) ? g_strdup("–") : tinker_number_short(si, view->unit, DIGITS);
+    g_autofree char *text = isnan(si) ? g_strdup("–") : tinker_number_measured(si, view->unit, DIGITS);
     if (GTK_IS_ENTRY(view->value))
         tinker_value_entry_show(view->value, text);
     else if (!g_str_equal(gtk_label_get_text(GTK_LABEL(view->value)), text))

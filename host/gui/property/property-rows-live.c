@@ -24,7 +24,7 @@ void property_rows_add_readings(PropertyBuilder *builder)
             builder, TINKER_ROW_READING, _("Now"), tinker_translate(type->title), tinker_translate(type->description));
         row->property = i;
         row->unit = tinker_block_class_unit(block_class, type->id, type->dimension, english);
-        property_row_take_text(row, tinker_number_short(value, row->unit, LIVE_DIGITS));
+        property_row_take_text(row, tinker_number_measured(value, row->unit, LIVE_DIGITS));
     }
 }
 

@@ -12,6 +12,7 @@
 #include "units/expression/expression-tree.h"
 
 #define DECIMALS 5
+#define NOTHING  1e-30
 
 /* Of the user's locale, which the program itself does not write numbers by. */
 static gboolean locale_has_comma(void)
@@ -126,4 +127,9 @@ char *tinker_number_short(double si, const char *unit, int digits)
     g_snprintf(format, sizeof format, "%%.%dg", digits);
     g_ascii_formatd(number, sizeof number, format, si / shown.factor);
     return *unit == '\0' ? g_strdup(number) : g_strdup_printf("%s %s", number, unit);
+}
+
+char *tinker_number_measured(double si, const char *unit, int digits)
+{
+    return tinker_number_short(fabs(si) < NOTHING ? 0 : si, unit, digits);
 }

@@ -20,5 +20,8 @@ char *tinker_number_write(double si, TinkerDimension dimension, const char *unit
 
 /* A value with its unit, in at most so many significant digits. (transfer full) */
 char *tinker_number_short(double si, const char *unit, int digits);
+/* A value that was measured in a run, in the same form: what blows and rounding leave of 0, below 1e-30 in SI, is 0.
+ * (transfer full) */
+char *tinker_number_measured(double si, const char *unit, int digits);
 
 #endif

@@ -317,17 +317,25 @@ void tinker_window_set_accels(GtkApplication *application)
     gtk_application_set_accels_for_action(application, "window.close", (const char *[]){"<Control>w", NULL});
 }
 
-static void add_canvas_keys(TinkerWindow *window)
+/* Undo and redo belong to the whole window, behind its entries: a button may have the focus, or nothing. */
+static gboolean has_key_on(gsize command, gboolean canvas)
+{
+    const char *const everywhere[] = {"undo", "redo", NULL};
+    return commands[command].of_canvas && g_strv_contains(everywhere, commands[command].name) != canvas;
+}
+
+static void add_keys(TinkerWindow *window, GtkWidget *to)
 {
     GtkEventController *controller = gtk_shortcut_controller_new();
+    const gboolean canvas = to == GTK_WIDGET(window->canvas);
     for (gsize i = 0; i < G_N_ELEMENTS(commands); i++)
-        for (int k = 0; commands[i].of_canvas && k < 2 && commands[i].keys[k] != NULL; k++) {
+        for (int k = 0; has_key_on(i, canvas) && k < 2 && commands[i].keys[k] != NULL; k++) {
             g_autofree char *action = g_strconcat("win.", commands[i].name, NULL);
             gtk_shortcut_controller_add_shortcut(
                 GTK_SHORTCUT_CONTROLLER(controller),
                 gtk_shortcut_new(gtk_shortcut_trigger_parse_string(commands[i].keys[k]), gtk_named_action_new(action)));
         }
-    gtk_widget_add_controller(GTK_WIDGET(window->canvas), controller);
+    gtk_widget_add_controller(to, controller);
 }
 
 static void enable(TinkerWindow *window, const char *name, gboolean enabled)
@@ -370,5 +378,6 @@ void window_add_actions(TinkerWindow *window)
         window_add_switch(window, shown[i], window->canvas, shown[i]);
     window_add_switch(window, "show-palette", window->palette_side, "visible");
     window_add_switch(window, "show-panel", window->panel_side, "visible");
-    add_canvas_keys(window);
+    add_keys(window, GTK_WIDGET(window->canvas));
+    add_keys(window, GTK_WIDGET(window));
 }
