@@ -55,13 +55,14 @@ static TinkerStatus turning(TinkerBatch *batch, double *factors)
     return TINKER_OK;
 }
 
-/* Drawing: wheels that fit the distance of the centres and the ratio, with teeth about them */
+/* Drawing: wheels that fit the distance of the centres and the ratio, with teeth of one pitch that mesh */
 
-#define TEETH 24
+#define LEAST_TEETH 16
+#define MOST_TEETH  256
 
 /* d = r_1 + r_2, or for internal gears d = r_2 - r_1, with r_1 = ratio r_2; where both are alike nothing fits, and both
- * are of one symbol. */
-static void radii_of(const TinkerInstance *instance, double symbol, double radius[2])
+ * are of one symbol. Answers whether it fits. */
+static int radii_of(const TinkerInstance *instance, double symbol, double radius[2])
 {
     const TinkerEnd *a = &instance->end[0], *b = &instance->end[1];
     const double distance = tinker_length(b->x - a->x, b->y - a->y), ratio = instance->columns[COLUMN_RATIO];
@@ -69,29 +70,61 @@ static void radii_of(const TinkerInstance *instance, double symbol, double radiu
     const int fits = distance > 1e-9 * symbol && share > 1e-9;
     radius[1] = fits ? distance / share : symbol;
     radius[0] = ratio * radius[1];
+    return fits;
 }
 
-static void draw_wheel(const TinkerInstance *instance, struct _cairo *cairo, const TinkerStyle *style, int32_t end,
-                       double radius)
+/* The smallest numbers of teeth in the ratio of the radii, of which the smaller wheel has enough to look like one. Of
+ * a ratio of no small whole numbers the larger wheel has the nearest number. */
+static void teeth_of(const double radius[2], int teeth[2])
 {
-    const TinkerEnd *at = &instance->end[end];
-    const double tooth = fmin(0.3 * style->symbol_size, 0.1 * radius);
-    double points[8 * TEETH + 2];
-    for (int k = 0; k <= 4 * TEETH; k++) {
-        const double angle = at->angle + k * (0.5 * TINKER_PI / TEETH);
+    const int small = radius[0] > radius[1];
+    const double share = radius[1 - small] / radius[small];
+    int of_small = 1;
+    for (int q = 1; q <= LEAST_TEETH; q++) {
+        if (fabs(share * q - floor(share * q + 0.5)) > 1e-6) continue;
+        of_small = q;
+        break;
+    }
+    of_small *= (LEAST_TEETH + of_small - 1) / of_small;
+    teeth[small] = of_small;
+    teeth[1 - small] = (int)fmin(floor(share * of_small + 0.5), MOST_TEETH);
+}
+
+/* Where the teeth of both begin (rad). Those of the larger wheel are fixed to it; the smaller one has gaps where these
+ * have teeth on the line of the centres, or inside a ring the same outline. It turns so that this stays so. */
+static void phases_of(const TinkerInstance *instance, const double radius[2], const int teeth[2], double phase[2])
+{
+    const int small = radius[0] > radius[1], large = 1 - small, internal = instance->columns[COLUMN_INTERNAL] != 0.0;
+    const TinkerEnd *of = instance->end;
+    const double way = atan2(of[small].y - of[large].y, of[small].x - of[large].x);
+    const double turned = (way - of[large].angle) * teeth[large] / teeth[small];
+    phase[large] = of[large].angle;
+    phase[small] = internal ? way - turned : way + TINKER_PI + turned;
+}
+
+static void draw_wheel(const TinkerEnd *at, struct _cairo *cairo, const TinkerStyle *style, double radius, int teeth,
+                       double phase)
+{
+    const double tooth = radius / teeth;
+    double points[8 * MOST_TEETH + 2];
+    for (int k = 0; k <= 4 * teeth; k++) {
+        const double angle = phase + (k + 0.5) * (0.5 * TINKER_PI / teeth); /* a tooth is the first half of its pitch */
         const double out = radius + (k % 4 < 2 ? tooth : -tooth);
         points[2 * k] = at->x + out * cos(angle);
         points[2 * k + 1] = at->y + out * sin(angle);
     }
-    style->polyline(style, cairo, TINKER_COLOUR_CONNECTOR, points, 4 * TEETH + 1);
+    style->polyline(style, cairo, TINKER_COLOUR_CONNECTOR, points, 4 * teeth + 1);
 }
 
 static void draw(const TinkerInstance *instance, struct _cairo *cairo, const TinkerStyle *style)
 {
-    double radius[2];
-    radii_of(instance, style->symbol_size, radius);
+    double radius[2], phase[2] = {instance->end[0].angle, instance->end[1].angle};
+    int teeth[2];
+    const int fits = radii_of(instance, style->symbol_size, radius);
+    teeth_of(radius, teeth);
+    if (fits) phases_of(instance, radius, teeth, phase);
     for (int32_t k = 0; k < 2; k++) {
-        draw_wheel(instance, cairo, style, k, radius[k]);
+        draw_wheel(&instance->end[k], cairo, style, radius[k], teeth[k], phase[k]);
     }
     if (instance->ends > 2) {
         style->line(style, cairo, TINKER_COLOUR_CONNECTOR, instance->end[0].x, instance->end[0].y, instance->end[1].x,
