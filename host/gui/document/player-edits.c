@@ -126,9 +126,11 @@ static gboolean record_anew(TinkerPlayer *player)
 
 gboolean tinker_player_run_anew(TinkerPlayer *player)
 {
-    const double time = player->time;
-    TinkerBlockId culprit;
-    return record_anew(player) && tinker_player_go_to(player, time, &culprit, NULL);
+    if (!record_anew(player)) return FALSE;
+    player->step_to = player->time;
+    player_set_state(player, TINKER_PLAYER_PLAYING);
+    g_signal_emit(player, player_signals[PLAYER_MOVED], 0);
+    return TRUE;
 }
 
 double tinker_player_changed_at(TinkerPlayer *player)

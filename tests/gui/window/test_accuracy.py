@@ -38,5 +38,11 @@ def test_method_is_offered_where_one_helps_alone(display):
         app.find("button", "Choose Automatically")
 
 
+def test_shapes_that_overlap_are_told_of_before_the_run(display):
+    box = {"type": "box", "name": "Box", "position": [0, 0.99995]}
+    with App(display, scene(support("Floor", 0, 0.4), box)) as app:
+        app.find_text("Box and Floor overlap at the start")
+
+
 if __name__ == "__main__":
     main()

@@ -149,6 +149,10 @@ def test_change_while_paused_goes_on(display):
         app.enter("Spring Properties", "K", "50")
         app.wait_read("Spring Properties", "K", "50.00000 N/m")
         check_equal(app.time(), 0.03, "time after a change of the stiffness")
+        app.find_text("The change counts from t = 0.03 s on")
+        app.click("Run From the Start")
+        app.gone("button", "Run From the Start")
+        check_equal(app.time(), 0.03, "time after all of it was run anew")
 
 
 def test_change_of_the_start_goes_back(display):
