@@ -7,8 +7,8 @@
 /* No unit; of the largest speed: a slower rebound ends in rest, but for one that loses nothing. Held by:
  * physics-contact-bounces. */
 #define TINKER_LEAST_REBOUND 1e-6
-/* m/s: the largest speed counts as no less. In the age of the universe that goes half a metre: what blows left of bodies
- * that came to rest is slower, and is not to be taken for a lift-off. Held by: physics-contact-rest. */
+/* m/s: the largest speed counts as no less. In the age of the universe that goes half a metre: what blows left of
+ * bodies that came to rest is slower, and is not to be taken for a lift-off. Held by: physics-contact-rest. */
 #define TINKER_SLOWEST 1e-18
 /* No unit; of the largest speed: a start that slides along a top more slowly may stick. Held by: -. */
 #define TINKER_START_SLOW 1e-9
