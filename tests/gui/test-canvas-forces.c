@@ -48,6 +48,7 @@ static void test_peak(void)
     CanvasForces *forces = canvas_forces_new();
     player_play(fixture);
     player_wait_until(fixture, 1);
+    tinker_player_pause(fixture->player); /* else forces of a little earlier may be shown */
     g_autoptr(GBytes) before = drawn_at(fixture, forces, 0.1), peak = drawn_at(fixture, forces, 0.5),
                       behind = drawn_at(fixture, forces, 0.9), again = drawn_at(fixture, forces, 0.1);
     g_assert_true(reaches(before, SIDE / 2 + 10));
