@@ -8,7 +8,7 @@
 #include "physics/model/model-data.h"
 
 /* Up to so many equations W solves them: one on 79 rods takes 0.36 us so and 1.5 us by elimination, four 1.5 us either
- * way, eight 3.0 and 1.6 us, 64 take 52 and 2.6 us (bench-contact-chains).. */
+ * way, eight 3.0 and 1.6 us, 64 take 52 and 2.6 us (bench-contact-chains). */
 #define FEW_ROWS 8
 
 static int by_body(const void *left, const void *right)

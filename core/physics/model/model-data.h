@@ -201,7 +201,7 @@ struct _TinkerModel {
     GPtrArray *batches;     /* of TinkerBlockBatch */
     int32_t **end_points;   /* of each batch, by batch; NULL for one without ends. In one piece of memory. */
     TinkerAngles **angles;  /* of each batch, by batch; NULL for one that knows none. NULL where all know none */
-    GPtrArray *warnings;    /* of char *: */
+    GPtrArray *warnings;    /* of char * */
     guint overlap_warnings; /* of these the last so many tell of shapes that overlap at the start */
     double origin[2];
 

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "scene/store/scene-data.h"
+#include "units/expression/expression-tree.h"
 
 typedef struct {
     TinkerScene *scene; /* the copy */
@@ -104,25 +105,6 @@ static void shift_waveforms(Continuation *continuation, TinkerBlockId block)
     }
 }
 
-/* The law with `t` counted from an earlier start on: each name that is no more than that becomes (t + T). (transfer
- * full) */
-static char *later_law(const char *law, double t)
-{
-    g_autoptr(GString) later = g_string_new(NULL);
-    g_autofree char *moved = g_strdup_printf("(t + %.17g)", t);
-    for (const char *at = law; *at != '\0';) {
-        gsize length = 0;
-        while (g_ascii_isalnum(at[length]) || at[length] == '_' || at[length] == '.')
-            length++;
-        if (length == 1 && *at == 't')
-            g_string_append(later, moved);
-        else
-            g_string_append_len(later, at, (gssize)MAX(length, 1));
-        at += MAX(length, 1);
-    }
-    return g_string_free(g_steal_pointer(&later), FALSE);
-}
-
 /* Typed laws that depend on time. */
 static void shift_laws(Continuation *continuation, TinkerBlockId block)
 {
@@ -130,7 +112,7 @@ static void shift_laws(Continuation *continuation, TinkerBlockId block)
     for (int32_t property = 0; continuation->t != 0 && property < block_class->property_count; property++) {
         if ((block_class->properties[property].flags & TINKER_TEXT_LAW) == 0) continue;
         const char *law = tinker_scene_get_text(continuation->scene, block, property);
-        g_autofree char *later = later_law(law, continuation->t);
+        g_autofree char *later = tinker_expression_shift_text(law, continuation->t);
         if (strcmp(law, later) != 0) tinker_scene_set_text(continuation->scene, block, property, later);
     }
 }

@@ -97,9 +97,6 @@ typedef struct {
  * compiled once can be compiled with any finite shift. (transfer full) */
 TinkerProgram *tinker_program_parse(const char *text, double shift, GError **error);
 
-/* The text with every t replaced by (t + shift). (transfer full) */
-char *tinker_expression_shift_text(const char *text, double shift);
-
 /* The compiler's hand: an empty program; adding an instruction, with constants folded (answers the index that holds the
  * result); throwing away what the last instruction, the value, does not need. */
 TinkerProgram *tinker_program_new(void);

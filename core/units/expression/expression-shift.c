@@ -2,7 +2,7 @@
  * tinker_program_parse, and reads as this text does. */
 #include <string.h>
 
-#include "units/expression/expression-program.h"
+#include "units/expression/expression-tree.h"
 #include "units/quantity/units.h"
 
 /* How long a name or a number is; the e of 1e5 is no name. */

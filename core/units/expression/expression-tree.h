@@ -60,4 +60,7 @@ gboolean tinker_expression_equal(const TinkerExpression *a, const TinkerExpressi
  * symbols of its own. `values` are those of the parts; of an `if` all three are wanted. */
 double tinker_expression_apply(const TinkerExpression *node, const double *values);
 
+/* The text with every t replaced by (t + shift). (transfer full) */
+char *tinker_expression_shift_text(const char *text, double shift);
+
 #endif

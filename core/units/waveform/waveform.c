@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "units/expression/expression-form.h"
+#include "units/expression/expression-tree.h"
 #include "units/waveform/table-private.h"
 
 #define MOST_WIDTHS 16 /* that are tried beside a break */

@@ -138,13 +138,12 @@ gboolean tinker_graph_reading_at(const TinkerGraphSeries *series, double x, Tink
 static gboolean varies(const TinkerGraphSeries *series)
 {
     const double *y = tinker_graph_series_y(series);
-    const gsize count = tinker_graph_series_count(series);
-    double least = INFINITY, greatest = -INFINITY;
-    for (gsize i = 0; i < count; i++) {
-        least = fmin(least, y[i]);
-        greatest = fmax(greatest, y[i]);
-    }
-    return greatest - least > CONSTANT * fmax(fabs(least), fabs(greatest));
+    const TinkerCurveIndex *index = tinker_graph_series_index(series);
+    const gsize count = tinker_curve_index_count(index);
+    gsize least, greatest;
+    if (count == 0) return FALSE;
+    tinker_curve_index_extremes(index, y, 0, count, &least, &greatest);
+    return y[greatest] - y[least] > CONSTANT * fmax(fabs(y[least]), fabs(y[greatest]));
 }
 
 GArray *tinker_graph_reading_extrema(const TinkerGraphSeries *series, guint most)
