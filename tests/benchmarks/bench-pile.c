@@ -5,36 +5,13 @@
 #include "numerics/sharing/sharing.h"
 #include "physics/contact/contacts.h"
 #include "report.h"
+#include "scene-text.h"
 #include "subject.h"
 
 #define STEP    (1.0 / 60)
 #define SETTLE  120 /* steps until stacks rest */
 #define BATCHES 9
 #define BATCH   600
-
-static GString *begin(void)
-{
-    GString *text =
-        g_string_new("{\"tinker\": 1, \"run\": {\"contacts\": \"impulse\"}, \"blocks\": [{\"type\": \"gravity\"}");
-    g_string_append(text, ", {\"type\": \"support\", \"position\": [0, -0.2], \"width\": 1000, \"height\": 0.4, "
-                          "\"static_friction\": 0.5, \"dynamic_friction\": 0.5, \"restitution\": 0}");
-    return text;
-}
-
-static void add_box(GString *text, double x, double y)
-{
-    g_string_append_printf(
-        text, ", {\"type\": \"box\", \"width\": 0.5, \"height\": 0.5, \"mass\": 1, \"position\": [%.17g, %.17g]}", x,
-        y);
-}
-
-static BenchmarkSubject subject_of(GString *text)
-{
-    g_string_append(text, "]}");
-    const BenchmarkSubject subject = benchmark_subject(text->str, "rk4", STEP);
-    g_string_free(text, TRUE);
-    return subject;
-}
 
 static double step_for(BenchmarkSubject *subject, int steps)
 {
@@ -57,10 +34,8 @@ static void measure_stacks(BenchmarkReport *report)
 {
     static const char scene[] = "S7 ten stacks of ten boxes";
     if (!benchmark_report_wants(report, scene)) return;
-    GString *text = begin();
-    for (int i = 0; i < 100; i++)
-        add_box(text, 2 * (i / 10 - 5), 0.25 + 0.51 * (i % 10));
-    BenchmarkSubject subject = subject_of(text);
+    g_autofree char *text = benchmark_stacks();
+    BenchmarkSubject subject = benchmark_subject(text, "rk4", STEP);
     const double falling = step_for(&subject, SETTLE), rest = best_of(&subject);
     double top[2];
     benchmark_subject_place(&subject, "Box 9", top);
@@ -75,12 +50,8 @@ static void measure_wall(BenchmarkReport *report, int boxes)
 {
     g_autofree char *scene = g_strdup_printf("wall of %d boxes, hit by a disc", boxes);
     if (!benchmark_report_wants(report, scene)) return;
-    GString *text = begin();
-    for (int i = 0; i < boxes; i++)
-        add_box(text, 0.5 * (i / 10) + 0.25 * (i % 2), 0.25 + 0.5 * (i % 10));
-    g_string_append(text, ", {\"type\": \"disc\", \"radius\": 1, \"mass\": 100, \"position\": [-3, 2], "
-                          "\"velocity\": [20, 0]}");
-    BenchmarkSubject subject = subject_of(text);
+    g_autofree char *text = benchmark_wall(boxes);
+    BenchmarkSubject subject = benchmark_subject(text, "rk4", STEP);
     const double step = step_for(&subject, 60);
     const guint points = subject.model->contacts == NULL ? 0 : subject.model->contacts->pressings->len;
     benchmark_report_figure(report, scene, "1 s from the start, a step", 1e6 * step, "us", 16667);

@@ -171,6 +171,42 @@ char *benchmark_pendulums(int count)
     return end_text(text);
 }
 
+static GString *begin_pile(void)
+{
+    GString *text = g_string_new("{\"tinker\": 1, \"run\": {\"contacts\": \"impulse\", \"step\": ");
+    add_number(text, 1.0 / 60);
+    g_string_append(text, ", \"duration\": 20}, \"blocks\": [{\"type\": \"gravity\"}");
+    g_string_append(text, ", {\"type\": \"support\", \"position\": [0, -0.2], \"width\": 1000, \"height\": 0.4, "
+                          "\"static_friction\": 0.5, \"dynamic_friction\": 0.5, \"restitution\": 0}");
+    return text;
+}
+
+static void add_box(GString *text, double x, double y)
+{
+    g_string_append_printf(
+        text, ", {\"type\": \"box\", \"width\": 0.5, \"height\": 0.5, \"mass\": 1, \"position\": [%.17g, %.17g]}", x,
+        y);
+}
+
+char *benchmark_stacks(void)
+{
+    GString *text = begin_pile();
+    for (int i = 0; i < 100; i++)
+        add_box(text, 2 * (i / 10 - 5), 0.25 + 0.51 * (i % 10));
+    g_string_append(text, "]}");
+    return g_string_free(text, FALSE);
+}
+
+char *benchmark_wall(int boxes)
+{
+    GString *text = begin_pile();
+    for (int i = 0; i < boxes; i++)
+        add_box(text, 0.5 * (i / 10) + 0.25 * (i % 2), 0.25 + 0.5 * (i % 10));
+    g_string_append(text, ", {\"type\": \"disc\", \"radius\": 1, \"mass\": 100, \"position\": [-3, 2], "
+                          "\"velocity\": [20, 0]}]}");
+    return g_string_free(text, FALSE);
+}
+
 /* Between -1 and 1, without a pattern: the fractions of multiples of an irrational number. */
 static double scatter(int number)
 {

@@ -46,6 +46,13 @@ char *benchmark_net(int n);
 /* Likewise: pendulums of 1 m, each with a support of its own, in a field half as high as it is wide. */
 char *benchmark_pendulums(int count);
 
+/* Ten stacks of ten boxes of 0.5 m and 1 kg, let go 0.01 m above one another; in impulse mode, as the next. */
+char *benchmark_stacks(void);
+
+/* A wall of boxes of 0.5 m and 1 kg, ten rows high, on a floor, and a disc of 100 kg that runs into its first column at
+ * 20 m/s; in impulse mode, with steps of 1/60 s for 20 s. */
+char *benchmark_wall(int boxes);
+
 /* Writes a scene of `masses` masses and four springs for each of them. */
 void benchmark_write_large(FILE *file, int masses);
 

@@ -38,7 +38,7 @@ static gboolean keep(TinkerSimulation *simulation, double time, const double *va
     Record *record = data;
     if (record->rows != NULL)
         memcpy(record->rows + record->count * record->columns, values, record->columns * sizeof(double));
-    if (record->claimed != NULL) record->claimed[record->count] = tinker_simulation_summary(simulation)->error_estimate;
+    if (record->claimed != NULL) record->claimed[record->count] = tinker_simulation_error(simulation);
     record->count++;
     return TRUE;
 }

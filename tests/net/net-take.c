@@ -53,7 +53,7 @@ static gboolean keep(TinkerSimulation *simulation, double time, const double *va
     const double *bands = tinker_simulation_bands(simulation);
     add_double(take->record, time);
     add_double(take->estimate, time);
-    add_double(take->estimate, tinker_simulation_summary(simulation)->error_estimate);
+    add_double(take->estimate, tinker_simulation_error(simulation));
     for (guint i = 0; i < take->columns; i++) {
         add_double(take->record, values[i]);
         add_double(take->estimate, bands != NULL ? bands[i] : (double)NAN);

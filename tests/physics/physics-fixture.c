@@ -80,6 +80,8 @@ static PhysicsRun *prepare(const PhysicsOptions *options, const char *blocks)
         .estimate = options->estimate,
         .bands = options->bands,
         .impulses = options->impulses,
+        .found = options->found,
+        .data = options->found_data,
     };
     run->simulation = tinker_simulation_new(run->model, &how, &run->error);
     if (run->simulation != NULL) run->summary = tinker_simulation_summary(run->simulation);

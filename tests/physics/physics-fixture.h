@@ -26,6 +26,8 @@ typedef struct {
     gboolean bands;         /* and evaluate the columns on it too */
     gboolean impulses;      /* contact as impulses, in steps of `step` */
     const char *impact_law; /* NULL: newton */
+    void (*found)(const TinkerFound *found, void *data); /* as in TinkerRunOptions; or NULL */
+    void *found_data;
 } PhysicsOptions;
 
 typedef struct {

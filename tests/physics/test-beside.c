@@ -57,19 +57,22 @@ static const Case cases[] = {
     {"failing, bands", FAILING, {.method = "verlet", .duration = 75, .step = STEP, .bands = TRUE}},
 };
 
+#define COLUMNS 4
+
 /* What a run showed. */
 typedef struct {
     GArray *values, *claims; /* of double */
+    GArray *found;           /* of double: what the run was told of, as soon as it was found */
     GString *told;           /* what stands in the summary */
     gint64 threads;          /* of this process, at most */
     gboolean looks;
-    guint columns;
 } Shown;
 
 static void shown_clear(Shown *shown)
 {
     g_array_unref(shown->values);
     g_array_unref(shown->claims);
+    g_array_unref(shown->found);
     g_string_free(shown->told, TRUE);
 }
 G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC(Shown, shown_clear)
@@ -88,27 +91,38 @@ static gboolean note(TinkerSimulation *simulation, double time, const double *va
 {
     Shown *shown = data;
     g_array_append_val(shown->values, time);
-    g_array_append_vals(shown->values, values, shown->columns);
+    g_array_append_vals(shown->values, values, COLUMNS);
     shown->threads = MAX(shown->threads, count_threads());
     const double *bands = shown->looks ? tinker_simulation_bands(simulation) : NULL;
-    if (bands != NULL) g_array_append_vals(shown->claims, bands, shown->columns);
-    const double claim = shown->looks ? tinker_simulation_summary(simulation)->error_estimate : 0;
+    if (bands != NULL) g_array_append_vals(shown->claims, bands, COLUMNS);
+    const double claim = shown->looks ? tinker_simulation_error(simulation) : 0;
     if (shown->looks) g_array_append_val(shown->claims, claim);
     return TRUE;
+}
+
+static void note_found(const TinkerFound *found, void *data)
+{
+    Shown *shown = data;
+    const double numbers[] = {found->t, found->error, found->predictable_until};
+    g_array_append_vals(shown->found, numbers, G_N_ELEMENTS(numbers));
+    if (found->bands != NULL) g_array_append_vals(shown->found, found->bands, COLUMNS);
 }
 
 static void show(const Case *this, int threads, gboolean looks, Shown *shown)
 {
     PhysicsOptions options = this->options;
-    options.estimate = TRUE;
-    options.columns = "Mass 0.x, Mass 0.y, Mass 0.vx, Mass 0.vy";
-    tinker_share_set_threads(threads);
-    g_autoptr(PhysicsRun) run = physics_prepare(&options, "%s", this->blocks);
     *shown = (Shown){.values = g_array_new(FALSE, FALSE, sizeof(double)),
                      .claims = g_array_new(FALSE, FALSE, sizeof(double)),
+                     .found = g_array_new(FALSE, FALSE, sizeof(double)),
                      .told = g_string_new(NULL),
-                     .looks = looks,
-                     .columns = run->columns->len};
+                     .looks = looks};
+    options.estimate = TRUE;
+    options.columns = "Mass 0.x, Mass 0.y, Mass 0.vx, Mass 0.vy";
+    options.found = note_found;
+    options.found_data = shown;
+    tinker_share_set_threads(threads);
+    g_autoptr(PhysicsRun) run = physics_prepare(&options, "%s", this->blocks);
+    g_assert_cmpuint(run->columns->len, ==, COLUMNS);
     g_assert_true(tinker_simulation_run(run->simulation, run->columns, note, shown, &run->error));
     g_assert_no_error(run->error);
     const TinkerSummary *summary = tinker_simulation_summary(run->simulation);
@@ -129,9 +143,28 @@ static void assert_same(const Shown *left, const Shown *right)
     g_assert_cmpmem(left->values->data, left->values->len * sizeof(double), right->values->data,
                     right->values->len * sizeof(double));
     g_assert_cmpstr(left->told->str, ==, right->told->str);
+    g_assert_cmpmem(left->found->data, left->found->len * sizeof(double), right->found->data,
+                    right->found->len * sizeof(double));
     if (left->looks && right->looks)
         g_assert_cmpmem(left->claims->data, left->claims->len * sizeof(double), right->claims->data,
                         right->claims->len * sizeof(double));
+}
+
+/* What is told when it is found, and what who waits is told at the sample, are one and the same. */
+static void assert_found(const Case *this, const Shown *looked_at)
+{
+    const guint bands = this->options.bands ? COLUMNS : 0, claim = bands + 1, found = 3 + bands;
+    guint told = 0;
+    for (guint i = 1; (i + 1) * claim <= looked_at->claims->len && (i + 1) * found <= looked_at->found->len; i++) {
+        const double *one = &g_array_index(looked_at->claims, double, i *claim);
+        const double *other = &g_array_index(looked_at->found, double, i *found);
+        if (isnan(other[1])) break; /* the companion stopped, and nothing more is found */
+        g_assert_cmpfloat(other[0], ==, g_array_index(looked_at->values, double, i *(1 + COLUMNS)));
+        g_assert_cmpfloat(other[1], ==, one[bands]);
+        g_assert_cmpmem(&other[3], bands * sizeof(double), one, bands * sizeof(double));
+        told++;
+    }
+    g_assert_cmpuint(told, >, 3);
 }
 
 static void test_same_bits(gconstpointer data)
@@ -142,6 +175,7 @@ static void test_same_bits(gconstpointer data)
     show(this, 1, FALSE, &alone);
     show(this, 1, TRUE, &looked_at);
     assert_same(&alone, &looked_at);
+    assert_found(this, &looked_at);
     for (int round = 0; round < 3; round++) {
         g_auto(Shown) beside = {0};
         show(this, 2, round == 2, &beside);

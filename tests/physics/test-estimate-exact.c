@@ -57,7 +57,7 @@ static void test_stiff_apart(void)
 static gboolean keep_claim(TinkerSimulation *simulation, double time, const double *values, void *data, GError **error)
 {
     GArray *claims = data;
-    double claim = tinker_simulation_summary(simulation)->error_estimate;
+    double claim = tinker_simulation_error(simulation);
     if (time > 0) g_array_append_val(claims, claim);
     return TRUE;
 }

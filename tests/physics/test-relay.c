@@ -147,6 +147,30 @@ static void test_patience(void)
     tinker_relay_free(relay);
 }
 
+/* Of large items a finder gets far ahead of a doer that stands still, and then no farther: its memory has a bound. */
+static void test_far_ahead(void)
+{
+    enum { COUNT = 20000, FAR = 200, TOO_FAR = 1000 };
+    tinker_share_set_threads(2);
+    Doer doer = {.finder = g_thread_self()};
+    TinkerRelay *relay = tinker_relay_new(bytes_of(COUNT), TRUE, do_item, &doer);
+    gint64 added = 0;
+    while (doer.elsewhere == 0) /* until a thread is there */
+        g_assert_true(add(relay, added++, COUNT, NULL));
+    g_atomic_int_set(&doer.held, 1);
+    const gint64 before = added;
+    while (added < TOO_FAR && add(relay, added, COUNT, has_none))
+        added++;
+    g_assert_cmpint(added - before, >, FAR);
+    g_assert_cmpint(added, <, TOO_FAR);
+    g_atomic_int_set(&doer.held, 0);
+    g_assert_true(add(relay, added++, COUNT, NULL));
+    g_assert_true(tinker_relay_finish(relay, NULL, NULL));
+    g_assert_cmpint(doer.done, ==, added);
+    g_assert_cmpint(doer.wrong, ==, 0);
+    tinker_relay_free(relay);
+}
+
 /* Nobody waits for what is undone. */
 static void test_left_undone(void)
 {
@@ -187,6 +211,7 @@ int main(int argc, char **argv)
     g_test_init(&argc, &argv, NULL);
     g_test_add_func("/physics/relay/order", test_order);
     g_test_add_func("/physics/relay/alone", test_alone);
+    g_test_add_func("/physics/relay/far-ahead", test_far_ahead);
     g_test_add_func("/physics/relay/few", test_few);
     g_test_add_func("/physics/relay/large", test_large);
     g_test_add_func("/physics/relay/patience", test_patience);

@@ -4,6 +4,14 @@
 
 #include "scene/store/scene.h"
 
+/* What the error estimate has found, up to a sample that the companion has come to. */
+typedef struct {
+    double t;                 /* s */
+    double error;             /* the largest so far, relative to the scales of the motion */
+    double predictable_until; /* s: where it passed a tenth; INFINITY */
+    const double *bands; /* by how much each column may be off, in its unit; NULL where it is a matter of rounding */
+} TinkerFound;
+
 typedef struct {
     double duration;    /* s */
     double interval;    /* s between samples; ignored where `at` is given */
@@ -20,7 +28,10 @@ typedef struct {
     gboolean bands;                    /* and evaluate the columns on it too */
     gboolean (*cancelled)(void *data); /* asked now and then; TRUE stops the run. May be NULL */
     void (*progress)(double t, double duration, void *data); /* called now and then. May be NULL */
-    void *data;                                              /* of the two */
+    /* Called for each sample, in their order, as soon as the companion has come there, and where it stops on the way
+     * (`error` is NAN then), on whatever thread that is: the run may be far ahead. May be NULL. */
+    void (*found)(const TinkerFound *found, void *data);
+    void *data; /* of the three */
 } TinkerRunOptions;
 
 /* The scene's own settings. Strings are borrowed from it. */

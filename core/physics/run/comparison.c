@@ -254,6 +254,14 @@ static double distance(const Part *part, const TinkerIslandNews *news)
 
 /* Steps ------------------------------------------------------------------------------------------------------------ */
 
+static void tell_found(const TinkerComparison *self, double t)
+{
+    const TinkerRunOptions *options = &self->of_the_run;
+    if (options->found == NULL) return;
+    const TinkerFound found = {t, self->findings.error, self->findings.predictable_until, self->bands};
+    options->found(&found, options->data);
+}
+
 /* A companion that cannot go on leaves everything behind it without an estimate and without bands. */
 static void give_up(TinkerComparison *self, double t, guint warnings, GError *failed)
 {
@@ -267,6 +275,7 @@ static void give_up(TinkerComparison *self, double t, guint warnings, GError *fa
     for (guint c = 0; c < self->columns; c++)
         self->bands[c] = NAN;
     g_error_free(failed);
+    tell_found(self, t);
     g_atomic_int_set(&self->state, stopped ? TINKER_COMPARISON_STOPPED : TINKER_COMPARISON_FAILED);
 }
 
@@ -386,6 +395,7 @@ static void take_sample(TinkerComparison *self, const TinkerSampleNews *news)
     else if (isinf(findings->predictable_until))
         findings->predictable_until = news->t;
     if (self->bands != NULL && determined) widen_bands(self, news->t, v + (gsize)self->coordinates);
+    tell_found(self, news->t);
 }
 
 /* News ------------------------------------------------------------------------------------------------------------- */

@@ -2,12 +2,9 @@
  *
  * Items are written one after another into batches, and a batch that is full is handed over: so the two threads meet
  * once in a batch, not once an item. Where there is no second processor, and for the first batches, which a short
- * run does not fill, the finder does the work itself: what is done does not depend on who does it, or when. No
- * memory is allotted once batches are filled.
- *
- *      finder writes here           doer works here
- *            v                            v
- *      [ batch 3 | free | free | batch 2 ]      in turns; with all of them full the finder waits */
+ * run does not fill, the finder does the work itself: what is done does not depend on who does it, or when. There are
+ * four batches, and of large items as many more as the doer falls behind, up to a bound; with all of them full the
+ * finder waits. */
 #ifndef TINKER_CORE_RELAY_H
 #define TINKER_CORE_RELAY_H
 

@@ -11,6 +11,7 @@ struct _TinkerSimulation {
     TinkerIslandRuns *all;
     TinkerBoxWatch *watch;    /* NULL where no two bodies could overlap, or where it has been told that they do */
     TinkerEstimate *estimate; /* NULL where none is asked for, or none is needed */
+    gboolean ended;           /* the run, and its estimate with it */
 };
 
 /* A simulation that steps its islands as it is told (one choice an island; NULL: as the options say). */

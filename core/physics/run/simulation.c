@@ -78,9 +78,8 @@ static void add_up(TinkerSimulation *simulation)
 {
     TinkerSummary *summary = &simulation->all->summary;
     tinker_island_runs_add_up(simulation->all);
-    if (simulation->estimate == NULL) return;
-    /* at the start alone there is no error yet: a run that got no further has no estimate */
-    if (simulation->all->sample_time > 0) summary->error_estimate = tinker_estimate_error(simulation->estimate);
+    if (simulation->estimate == NULL || !simulation->ended) return;
+    summary->error_estimate = tinker_simulation_error(simulation);
     summary->predictable_until = tinker_estimate_predictable_until(simulation->estimate);
 }
 
@@ -93,9 +92,18 @@ gboolean tinker_simulation_run(TinkerSimulation *simulation, const GArray *colum
     if (simulation->all->options.estimate) simulation->estimate = tinker_estimate_new(simulation->all, columns);
     gboolean done = run_to_end(simulation, sample, data, error);
     if (simulation->estimate != NULL && !tinker_estimate_close(simulation->estimate, done ? error : NULL)) done = FALSE;
+    simulation->ended = TRUE;
     simulation->all->summary.wall_s = 1e-6 * (double)(g_get_monotonic_time() - started);
     add_up(simulation);
     return done;
+}
+
+double tinker_simulation_error(TinkerSimulation *simulation)
+{
+    /* at the start alone there is no error yet: a run that got no further has no estimate */
+    return simulation->estimate != NULL && simulation->all->sample_time > 0
+               ? tinker_estimate_error(simulation->estimate)
+               : (double)NAN;
 }
 
 const double *tinker_simulation_bands(TinkerSimulation *simulation)

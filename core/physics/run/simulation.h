@@ -26,7 +26,7 @@ typedef gboolean (*TinkerSampleFunc)(TinkerSimulation *simulation, double time, 
 /* Runs to the end. `columns` (of TinkerColumn, may be NULL) are evaluated at every sample. On failure
  * (TINKER_MODEL_ERROR_RUN) the message names the block, and the samples up to then have been handed out;
  * summary->valid_until says how far they are to be believed. All functions that were given are called on the caller's
- * thread; another one may step the companion meanwhile, so the scene must stay as it is. */
+ * thread, but TinkerRunOptions.found; another one may step the companion meanwhile, so the scene must stay as it is. */
 gboolean tinker_simulation_run(TinkerSimulation *simulation, const GArray *columns, TinkerSampleFunc sample, void *data,
                                GError **error);
 
@@ -49,12 +49,19 @@ gboolean tinker_simulation_body(const TinkerSimulation *simulation, TinkerBlockI
  * NAN for blocks that are not wound, or not in the model. */
 double tinker_simulation_wound_length(TinkerSimulation *simulation, TinkerBlockId block);
 
+/* Inside a sample function, or at the end: the error estimate up to this sample, for which the companion is waited for;
+ * NAN without one, and from where the companion has stopped on. Who need not know at once is told by
+ * TinkerRunOptions.found.
+ */
+double tinker_simulation_error(TinkerSimulation *simulation);
+
 /* Inside a sample function: how far each column may be off at this sample (the running maximum of its estimate), in the
  * column's unit; NAN from where the companion has stopped on. NULL at all samples of a run where `bands` was not asked
- * for or there is no companion. Borrowed. */
+ * for or there is no companion. Waits for the companion, as above. Borrowed. */
 const double *tinker_simulation_bands(TinkerSimulation *simulation);
 
-/* What has happened so far, added up at every call and at the end of a run. Borrowed. */
+/* What has happened so far, added up at every call and at the end of a run: it alone knows the error estimate.
+ * Borrowed. */
 const TinkerSummary *tinker_simulation_summary(TinkerSimulation *simulation);
 
 /* One step of the island that is farthest behind, without samples, for benchmarks and single stepping. */

@@ -15,7 +15,7 @@
 #include "plugin/call/crash.h"
 
 #define LATELY      0.5   /* s: over which the rate is measured */
-#define BANDS       32    /* times in a run at which is noted how far it may be off: the companion is waited for */
+#define BANDS       32    /* times in a run at which is noted how far it may be off */
 #define QUICK_ROWS  1000  /* samples, about, of a run without an estimate: no curve shows more */
 #define MOST_EVENTS 10000 /* that are kept: what rattles has more than anybody looks at */
 
@@ -48,10 +48,8 @@ static void note_summary(TinkerRunTask *task, TinkerSimulation *simulation)
     status->adaptive = summary->adaptive;
     status->step = summary->step;
     status->tolerance = summary->tolerance;
-    status->error_estimate = summary->error_estimate;
     status->energy_balance_error = summary->energy_balance_error;
     status->constraint_error = summary->constraint_position_error;
-    status->predictable_until = task->start + summary->predictable_until;
     status->valid_until = task->start + summary->valid_until;
     g_mutex_unlock(&task->mutex);
 }
@@ -83,26 +81,42 @@ static void note_rate(TinkerRunTask *task, TinkerSimulation *simulation, double 
     note_events(task, tinker_simulation_summary(simulation)->events);
 }
 
-/* How far the columns may be off until `time`, as is known now: of an exact run without a companion by no more than
- * rounding. Those of a try that is made again are forgotten. */
-static void note_bands(TinkerRunTask *task, TinkerSimulation *simulation, double time)
+/* How far the columns may be off until `time`: of an exact run without a companion by no more than rounding. Called
+ * with the mutex held. */
+static void note_bands(TinkerRunTask *task, const double *bands, double time)
 {
-    const double *bands = tinker_simulation_bands(simulation);
-    if (bands == NULL && isnan(tinker_simulation_summary(simulation)->error_estimate)) return;
     const guint row = task->bands->len;
-    g_mutex_lock(&task->mutex);
     g_array_set_size(task->bands, row + 1 + task->columns->len);
     g_array_index(task->bands, double, row) = time;
     for (guint i = 0; i < task->columns->len; i++)
         g_array_index(task->bands, double, row + 1 + i) = bands != NULL ? bands[i] : 0;
+}
+
+/* The companion has come to a sample, on its own thread maybe. Bands of a try that is made again are forgotten. */
+static void note_found(const TinkerFound *found, void *data)
+{
+    TinkerRunTask *task = data;
+    const double time = task->start + found->t;
+    g_mutex_lock(&task->mutex);
+    if (found->t > 0) task->status.error_estimate = found->error;
+    task->status.predictable_until = task->start + found->predictable_until;
+    if (time >= task->next_bands) {
+        note_bands(task, found->bands, time);
+        task->next_bands = time + tinker_scene_head(task->scene)->run.duration / BANDS;
+    }
     g_mutex_unlock(&task->mutex);
 }
 
-static void note_bands_now_and_then(TinkerRunTask *task, TinkerSimulation *simulation, double time)
+/* The run is over, and its companion has caught up. */
+static void note_estimate(TinkerRunTask *task, TinkerSimulation *simulation, gboolean done)
 {
-    if (!task->estimate || time < task->next_bands) return;
-    note_bands(task, simulation, time);
-    task->next_bands = time + tinker_scene_head(task->scene)->run.duration / BANDS;
+    const TinkerSummary *summary = tinker_simulation_summary(simulation);
+    const double *bands = tinker_simulation_bands(simulation);
+    g_mutex_lock(&task->mutex);
+    task->status.error_estimate = summary->error_estimate;
+    task->status.predictable_until = task->start + summary->predictable_until;
+    if (done && task->estimate && (bands != NULL || !isnan(summary->error_estimate))) note_bands(task, bands, INFINITY);
+    g_mutex_unlock(&task->mutex);
 }
 
 static gboolean take_next(TinkerRunTask *task, double time, GError **error)
@@ -117,7 +131,6 @@ static gboolean take_sample(TinkerSimulation *simulation, double time, const dou
     TinkerRunTask *task = data;
     time += task->start;
     fill_row(task, simulation, time, values);
-    note_bands_now_and_then(task, simulation, time);
     if (task->next_record != NULL) return take_next(task, time, error);
     if (!tinker_record_append(task->record, task->row, error)) return FALSE;
     g_mutex_lock(&task->mutex);
@@ -136,8 +149,8 @@ static void begin_again(void *data)
     g_clear_pointer(&task->next_times, g_array_unref);
     task->next_record = tinker_record_new(run_task_row_width(task), RUN_TASK_IN_MEMORY);
     task->next_times = g_array_new(FALSE, FALSE, sizeof(double));
-    task->next_bands = task->start;
     g_mutex_lock(&task->mutex);
+    task->next_bands = task->start;
     g_array_set_size(task->bands, 0);
     g_mutex_unlock(&task->mutex);
 }
@@ -226,6 +239,7 @@ static gboolean run_scene(TinkerRunTask *task, GError **error)
     options.cancelled = is_cancelled;
     options.data = task;
     options.estimate = options.bands = task->estimate;
+    options.found = note_found;
     choose_interval(task, &options);
     if (!end_at_condition(task, model, &options, error)) return FALSE;
     g_autoptr(TinkerSimulation) simulation = tinker_simulation_new(model, &options, error);
@@ -234,7 +248,7 @@ static gboolean run_scene(TinkerRunTask *task, GError **error)
     GError *failure = NULL;
     gboolean done = tinker_accurate_run(&simulation, task->columns, &taker, &failure);
     note_summary(task, simulation);
-    if (done && task->estimate) note_bands(task, simulation, INFINITY);
+    note_estimate(task, simulation, done);
     g_mutex_lock(&task->mutex);
     show_next(task);
     note_miss(task, &failure);
