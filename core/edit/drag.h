@@ -16,6 +16,12 @@ typedef struct {
  * hit. */
 TinkerHit tinker_hit(TinkerFrame *frame, double x, double y, double reach, TinkerBlockId skip);
 
+/* What a drag takes hold of that begins at a point where this was hit: of a connector whose ends are all attached,
+ * which cannot be moved itself, the topmost body under the point that can, those that it is on before others; with its
+ * ends at one place, as of a drive at its bearing, else the first body of its ends that can. Everything else is taken
+ * hold of itself. */
+TinkerHit tinker_hit_to_drag(TinkerFrame *frame, TinkerHit hit, double x, double y, double reach);
+
 /* The connectable block under the point that the end of this block's type would accept, or TINKER_NO_BLOCK. */
 TinkerBlockId tinker_hit_connectable(TinkerFrame *frame, TinkerBlockId connector, double x, double y, double reach);
 

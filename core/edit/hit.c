@@ -2,8 +2,12 @@
  * gripped, then for whole blocks. A block without an edit interface is hit as the host draws it. */
 #include <math.h>
 
+#include <tinker/shapes.h>
+
 #include "edit/edit-private.h"
 #include "scene/frame/drawing-order.h"
+
+#define MOST_UNDER 16 /* bodies under a point that are looked at */
 
 static gboolean is_placed(const TinkerInstance *instance)
 {
@@ -63,6 +67,65 @@ TinkerBlockId tinker_hit_connectable(TinkerFrame *frame, TinkerBlockId connector
 {
     TinkerBlockId block;
     return edit_hit_connectables(frame, connector, x, y, reach, &block, 1) > 0 ? block : TINKER_NO_BLOCK;
+}
+
+static gboolean can_move(TinkerScene *scene, TinkerBlockId block)
+{
+    const TinkerBlockClass *block_class = tinker_scene_block_class(scene, block);
+    return block_class != NULL && block_class->physics != NULL && block_class->physics->body != NULL &&
+           block_class->physics->body->degrees_of_freedom > 0;
+}
+
+/* Whether all ends are attached, and whether they lie within so much of the first one. */
+static gboolean all_attached(const TinkerInstance *instance, double within)
+{
+    for (int32_t k = 0; k < instance->ends; k++) {
+        const TinkerEnd *a = &instance->end[0], *b = &instance->end[k];
+        if (!b->attached || !(hypot(b->x - a->x, b->y - a->y) <= within)) return FALSE;
+    }
+    return instance->ends > 0;
+}
+
+static gboolean is_on(TinkerScene *scene, TinkerBlockId connector, TinkerBlockId body)
+{
+    for (int32_t k = 0; k < tinker_scene_end_count(scene, connector); k++)
+        if (tinker_scene_end(scene, connector, k).block == body) return TRUE;
+    return FALSE;
+}
+
+/* The topmost body under the point that can move, of those that the connector is on before any other. */
+static TinkerBlockId body_beneath(TinkerFrame *frame, TinkerBlockId connector, double x, double y, double reach)
+{
+    TinkerScene *scene = tinker_frame_scene(frame);
+    TinkerBlockId under[MOST_UNDER], first = TINKER_NO_BLOCK;
+    const int32_t count = edit_hit_connectables(frame, connector, x, y, reach, under, MOST_UNDER);
+    for (int32_t i = 0; i < count; i++) {
+        if (!can_move(scene, under[i])) continue;
+        if (is_on(scene, connector, under[i])) return under[i];
+        if (first == TINKER_NO_BLOCK) first = under[i];
+    }
+    return first;
+}
+
+static TinkerBlockId first_of_ends(TinkerScene *scene, TinkerBlockId connector)
+{
+    for (int32_t k = 0; k < tinker_scene_end_count(scene, connector); k++) {
+        const TinkerBlockId on = tinker_scene_end(scene, connector, k).block;
+        if (can_move(scene, on)) return on;
+    }
+    return TINKER_NO_BLOCK;
+}
+
+TinkerHit tinker_hit_to_drag(TinkerFrame *frame, TinkerHit hit, double x, double y, double reach)
+{
+    TinkerInstance instance;
+    if (hit.block == TINKER_NO_BLOCK || hit.part != TINKER_PART_WHOLE ||
+        !tinker_frame_instance(frame, hit.block, &instance) || !all_attached(&instance, INFINITY))
+        return hit;
+    const gboolean at_one_place = all_attached(&instance, tinker_instance_symbol_size(&instance));
+    TinkerBlockId body = body_beneath(frame, hit.block, x, y, reach);
+    if (body == TINKER_NO_BLOCK && at_one_place) body = first_of_ends(tinker_frame_scene(frame), hit.block);
+    return body != TINKER_NO_BLOCK ? (TinkerHit){body, TINKER_PART_WHOLE} : hit;
 }
 
 TinkerHit tinker_hit_handle(TinkerFrame *frame, TinkerBlockId block, double x, double y, double reach)

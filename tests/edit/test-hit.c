@@ -67,6 +67,41 @@ static void test_order(Stage *stage, gconstpointer data)
     g_assert_cmpint(nothing.part, ==, TINKER_PART_NONE);
 }
 
+/* What cannot be dragged itself lets a drag take the body that it is on; with its ends at one place wherever it is hit.
+ */
+static void test_to_drag(void)
+{
+    g_autoptr(TinkerScene) scene =
+        scene_fixture_read_blocks("{\"type\": \"support\", \"name\": \"Bearing\", \"solid\": false},"
+                                  "{\"type\": \"bar\", \"name\": \"Crank\", \"position\": [0.5, 0]},"
+                                  "{\"type\": \"mass\", \"name\": \"M\", \"position\": [4, 0]},"
+                                  "{\"type\": \"drive\", \"name\": \"Middle\", \"ends\": [\"Crank\", \"Bearing\"]},"
+                                  "{\"type\": \"drive\", \"name\": \"End\", \"ends\": [{\"block\": \"Crank\", "
+                                  "\"at\": [-0.5, 0]}, \"Bearing\"]},"
+                                  "{\"type\": \"spring\", \"name\": \"S\", \"ends\": [\"Crank\", \"M\"]},"
+                                  "{\"type\": \"spring\", \"name\": \"Loose\", \"ends\": [\"Crank\", [0.5, 3]]}");
+    static const struct {
+        const char *hit, *dragged;
+        double x, y;
+    } cases[] = {{"Middle", "Crank", 0.65, 0.02},
+                 {"Middle", "Middle", 0.5, 0.3},
+                 {"End", "Crank", -0.2, 0.2},
+                 {"End", "Crank", 0.15, 0.0},
+                 {"S", "S", 2.5, 0.0},
+                 {"S", "Crank", 0.8, 0.0},
+                 {"Loose", "Loose", 0.5, 0.05},
+                 {"M", "M", 4.1, 0.1}};
+    g_autoptr(TinkerFrame) frame = tinker_frame_new(scene, NULL);
+    for (gsize i = 0; i < G_N_ELEMENTS(cases); i++) {
+        const TinkerHit hit = {tinker_scene_find_block(scene, cases[i].hit), TINKER_PART_WHOLE};
+        const TinkerHit to = tinker_hit_to_drag(frame, hit, cases[i].x, cases[i].y, 0.02);
+        g_assert_cmpstr(tinker_scene_block_name(scene, to.block), ==, cases[i].dragged);
+        g_assert_cmpint(to.part, ==, TINKER_PART_WHOLE);
+    }
+    const TinkerHit end = {tinker_scene_find_block(scene, "Middle"), 0};
+    g_assert_cmpint(tinker_hit_to_drag(frame, end, 0.5, 0, 0.02).block, ==, end.block);
+}
+
 static void test_skip(Stage *stage, gconstpointer data)
 {
     TinkerHit hit = tinker_hit(stage->frame, 0.2, 0.3, REACH, named(stage, "Above"));
@@ -147,6 +182,7 @@ static void add_tests(void)
     add("/edit/hit/handles", test_handles);
     add("/edit/hit/nowhere", test_nowhere);
     g_test_add_func("/edit/snap", test_snap);
+    g_test_add_func("/edit/hit/to-drag", test_to_drag);
 }
 
 int main(int argc, char **argv)

@@ -11,6 +11,10 @@
 #define NO_MOVE 1e-12 /* m and rad, of 1 or of the value: rounding of the constraints is no edit */
 #define EDGE    1e-6  /* of the size: what is closer to an edge is at it */
 
+#define MOST_REACHES  12   /* times that a body is brought nearer to the hand */
+#define NEAR_HAND     1e-9 /* m, of 1 or of the place: the hand has what it holds */
+#define MOST_LEVERAGE 8.0  /* how much further than its centre, or less far, a place of a body goes at most */
+
 static double component(const TinkerScene *scene, TinkerBlockId block, int32_t meaning, int32_t component)
 {
     const TinkerBlockClass *block_class = block != TINKER_NO_BLOCK ? tinker_scene_block_class(scene, block) : NULL;
@@ -122,6 +126,58 @@ gboolean tinker_joined_follow(TinkerHistory *history, TinkerScene *scene, const 
     put(history, scene, &now); /* it did not fit before: whoever mends it by hand is not held up */
     if (resized) keep_at_edges(history, scene, before, &now);
     g_error_free(cause);
+    return TRUE;
+}
+
+/* Where a place of a body's own axes is. */
+static void place_held(const TinkerPlacement *body, const double grip[2], double held[2])
+{
+    const double c = cos(body->orientation), s = sin(body->orientation);
+    held[0] = body->place[0] + c * grip[0] - s * grip[1];
+    held[1] = body->place[1] + s * grip[0] + c * grip[1];
+}
+
+/* Moves a body by so much, with what is joined to it; answers where it is then, which is as before where nothing fits.
+ */
+static TinkerPlacement shift(TinkerHistory *history, TinkerScene *scene, TinkerBlockId block, const double by[2])
+{
+    const TinkerPlacement before = tinker_placement_of(scene, block);
+    TinkerPlacement to = before;
+    to.place[0] += by[0];
+    to.place[1] += by[1];
+    put(history, scene, &to);
+    tinker_joined_follow(history, scene, &before, NULL);
+    return tinker_placement_of(scene, block);
+}
+
+/* The centre is what is moved, and joints decide how far the place that is held goes then: on a crank that turns about
+ * one end its other end goes twice as far. So each reach tells how far to move the centre the next time. */
+static void reach_hand(TinkerHistory *history, TinkerScene *scene, TinkerBlockId block, const double grip[2],
+                       const double hand[2])
+{
+    TinkerPlacement now = tinker_placement_of(scene, block);
+    double held[2], leverage = 1;
+    place_held(&now, grip, held);
+    for (int tries = 0; tries < MOST_REACHES; tries++) {
+        const double missed[2] = {hand[0] - held[0], hand[1] - held[1]};
+        const double by[2] = {missed[0] / leverage, missed[1] / leverage}, held_before[2] = {held[0], held[1]};
+        const TinkerPlacement before = now;
+        now = shift(history, scene, block, by);
+        place_held(&now, grip, held);
+        const double moved = hypot(now.place[0] - before.place[0], now.place[1] - before.place[1]);
+        const double went = hypot(held[0] - held_before[0], held[1] - held_before[1]);
+        if (!(went > NEAR_HAND * fmax(1, hypot(hand[0], hand[1]))) || !(moved > 0)) break;
+        leverage = CLAMP(went / moved, 1 / MOST_LEVERAGE, MOST_LEVERAGE);
+    }
+}
+
+gboolean tinker_joined_follow_hand(TinkerHistory *history, TinkerScene *scene, const TinkerPlacement *before,
+                                   const double grip[2], const double hand[2], GError **error)
+{
+    const TinkerPlacement wanted = tinker_placement_of(scene, before->block);
+    if (!tinker_joined_follow(history, scene, before, error)) return FALSE;
+    const TinkerPlacement now = tinker_placement_of(scene, before->block);
+    if (is_elsewhere(&now, &wanted)) reach_hand(history, scene, before->block, grip, hand);
     return TRUE;
 }
 

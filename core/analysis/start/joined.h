@@ -22,6 +22,12 @@ TinkerPlacement tinker_placement_of(const TinkerScene *scene, TinkerBlockId bloc
 gboolean tinker_joined_follow(TinkerHistory *history, TinkerScene *scene, const TinkerPlacement *before,
                               GError **error);
 
+/* As tinker_joined_follow, of a body that a hand has moved by its place `grip` (m, in the body's own axes): where what
+ * joins it does not let it go there, this place is brought as near to the hand (m) as that does, so that a crank
+ * follows the hand by whatever it is held. */
+gboolean tinker_joined_follow_hand(TinkerHistory *history, TinkerScene *scene, const TinkerPlacement *before,
+                                   const double grip[2], const double hand[2], GError **error);
+
 /* Whether there are places where all that is joined to a block fits, with the block where it is. */
 gboolean tinker_joined_can_be_brought(TinkerScene *scene, TinkerBlockId block);
 

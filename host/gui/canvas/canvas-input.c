@@ -16,7 +16,17 @@ static void set_highlighted(TinkerCanvas *canvas, TinkerBlockId block)
     gtk_widget_queue_draw(GTK_WIDGET(canvas));
 }
 
-/* An end that is attached lies over the body it is on: that is meant, unless the connector is selected. */
+static gboolean has_end_on(TinkerScene *scene, TinkerBlockId connector, TinkerBlockId body)
+{
+    for (int32_t end = 0; end < tinker_scene_end_count(scene, connector); end++)
+        if (tinker_scene_end(scene, connector, end).block == body) return TRUE;
+    return FALSE;
+}
+
+/* An end that is attached lies over the body it is on: that is meant, unless the connector is selected. Both ends of a
+ * joint lie there, often at an edge: it is not torn off where the pointer is a little beside it, or above the other
+ * body.
+ */
 static TinkerHit body_rather_than_end(TinkerCanvas *canvas, TinkerFrame *frame, TinkerHit hit, const double world[2])
 {
     TinkerScene *scene = tinker_frame_scene(frame);
@@ -24,7 +34,10 @@ static TinkerHit body_rather_than_end(TinkerCanvas *canvas, TinkerFrame *frame, 
     if (!is_end || tinker_document_is_selected(canvas->document, hit.block)) return hit;
     TinkerBlockId body = tinker_scene_end(scene, hit.block, hit.part).block;
     if (body == TINKER_NO_BLOCK) return hit;
-    TinkerBlockId under = tinker_hit_connectable(frame, hit.block, world[0], world[1], 0);
+    const gboolean is_joint = tinker_is_joint(scene, hit.block);
+    TinkerBlockId under =
+        tinker_hit_connectable(frame, hit.block, world[0], world[1], is_joint ? canvas_reach(canvas) : 0);
+    if (is_joint && under != TINKER_NO_BLOCK && has_end_on(scene, hit.block, under)) body = under;
     return under == body ? (TinkerHit){body, TINKER_PART_WHOLE} : hit;
 }
 
@@ -71,12 +84,24 @@ TinkerHit tinker_canvas_handle(TinkerCanvas *canvas, double place[2])
 /* Dragging ------------------------------------------------------------------------------------------------------------
  */
 
+/* What the press has hold of from now on, and where on it. */
+static void take_hold(TinkerCanvas *canvas, const double world[2])
+{
+    TinkerFrame *frame = tinker_player_frame(canvas->player);
+    if (frame == NULL || canvas->pressed.block == TINKER_NO_BLOCK) return;
+    const TinkerHit hit = tinker_hit_to_drag(frame, canvas->pressed, world[0], world[1], canvas_reach(canvas));
+    if (hit.block != canvas->pressed.block) tinker_document_select(canvas->document, hit.block);
+    canvas->pressed = hit;
+    tinker_frame_to_own(frame, hit.block, world, canvas->grip);
+}
+
 static void begin_drag(TinkerCanvas *canvas)
 {
     double world[2];
     int count;
     tinker_document_selection(canvas->document, &count);
     canvas_to_world(canvas, canvas->press[0], canvas->press[1], world);
+    if (count <= 1) take_hold(canvas, world);
     if (canvas->pressed.block == TINKER_NO_BLOCK) {
         canvas->gesture = CANVAS_BAND;
     } else if (count > 1 && canvas->pressed.part == TINKER_PART_WHOLE) {
@@ -102,7 +127,10 @@ static void drag_part(TinkerCanvas *canvas, GdkModifierType modifiers)
     const TinkerPlacement before = tinker_placement_of(scene, canvas->pressed.block);
     TinkerBlockId target =
         tinker_drag_to(canvas->drag, world[0], world[1], canvas_grid(canvas, modifiers), canvas_reach(canvas));
-    tinker_joined_follow(tinker_document_history(canvas->document), scene, &before, NULL);
+    if (canvas->pressed.part == TINKER_PART_WHOLE)
+        tinker_joined_follow_hand(tinker_document_history(canvas->document), scene, &before, canvas->grip, world, NULL);
+    else
+        tinker_joined_follow(tinker_document_history(canvas->document), scene, &before, NULL);
     tinker_document_touch(canvas->document);
     set_highlighted(canvas, target);
 }

@@ -42,6 +42,7 @@ struct _TinkerCanvas {
     CanvasGesture gesture;
     TinkerHit pressed;
     double press[2], pointer[2]; /* widget units */
+    double grip[2];              /* where on what is dragged it was taken hold of, m in its own axes */
     gboolean moved;
     TinkerDrag *drag;
     TinkerBlockId highlighted;

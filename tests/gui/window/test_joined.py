@@ -64,6 +64,41 @@ def test_bodies_follow_the_one_that_is_dragged(display):
         check_equal(app.blocks()["Link"]["position"], [1, 0], "one step for undo")
 
 
+def driven_slider_crank(drive_at):
+    """A crank of 0.5 m that lies to the right, and a rod of 1.5 m to a piston on its line. The drive's circle covers what lies
+    below it."""
+    return scene(support("Bearing", 0, 0, width=0.3, height=0.2, solid=False), bar("Crank", 0.25, 0, length=0.5),
+                 bar("Rod", 1.25, 0, length=1.5),
+                 {"type": "box", "name": "Piston", "width": 0.3, "height": 0.3, "position": [2, 0]},
+                 pin("A", "Bearing", at("Crank", -0.25)), pin("B", at("Crank", 0.25), at("Rod", -0.75)),
+                 pin("C", at("Rod", 0.75), "Piston"), {"type": "slider", "name": "Guide", "ends": ["Bearing", "Piston"]},
+                 {"type": "drive", "name": "Drive", "ends": [at("Crank", drive_at), "Bearing"], "speed": 5}, width=5)
+
+
+def check_played(app, start, end):
+    """Dragged from one place to another the crank points to where the hand is, and the piston is where the rod lets it."""
+    app.drag(start, end)
+    angle = math.atan2(end[1], end[0])
+    blocks = app.blocks()
+    pixel = 1 / (app.scale() * math.hypot(*start))  # what one is at the hand (rad); press and release are rounded to them
+    check_close(blocks["Crank"].get("orientation", 0.0), angle, 1.5 * pixel, "the crank's angle")
+    turned = blocks["Crank"].get("orientation", 0.0)
+    check_close(blocks["Piston"]["position"][0], 0.5 * math.cos(turned) + math.sqrt(2.25 - 0.25 * math.sin(turned) ** 2),
+                1e-6, "the piston")
+    check_equal(blocks["Drive"]["ends"][1], "Bearing", "the drive stays where it is")
+    app.press("ctrl+z")
+    check_close(app.blocks()["Piston"]["position"][0], 2, 1e-12, "one step for undo")
+    app.press("Escape")  # nothing is selected, so that no handle lies at the crank's end
+
+
+def test_driven_crank_is_played_by_hand(display):
+    """By its free end and by its pin, and where the circle of its drive lies over it."""
+    for drive_at, starts in ((0, ((0.35, 0.0), (0.15, 0.0), (0.5, 0.0))), (-0.25, ((0.4, 0.0), (0.09, 0.0)))):
+        with App(display, driven_slider_crank(drive_at)) as app:
+            for start in starts:
+                check_played(app, start, (0.7 * start[0], 0.7 * start[0]))
+
+
 def test_typed_angle_takes_the_others_along(display):
     blocks = (support("Wall", -0.5, 0), bar("Crank", 0, 0), pin("A", at("Wall", 0), at("Crank", -0.5)))
     with App(display, scene(*blocks)) as app:
