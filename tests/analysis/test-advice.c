@@ -309,6 +309,29 @@ static void test_joint(void)
     physics_assert_near("second x", start_fixture_get(f, "Bar 1", TINKER_MEANING_POSITION, 0), 1.5, 1e-12);
 }
 
+/* A rope over the centre of a disc does not run round it, which the picture would have one think; an eye on its rim, a
+ * support and a bar are no wheels. */
+static void test_small_wheel(void)
+{
+    static const char *const blocks =
+        "{'type': 'support', 'name': 'Hook', 'position': [0, 3], 'solid': false},"
+        "{'type': 'disc', 'name': 'Wheel', 'position': [2, 3]}, {'type': 'bar', 'name': 'Bar', 'position': [5, 3]},"
+        "{'type': 'mass', 'name': 'A', 'position': [-1, 0]}, {'type': 'mass', 'name': 'B', 'position': [8, 0]},"
+        "{'type': 'rope', 'name': 'Line', 'ends': ['A', 'Hook', %s, 'Bar', 'B']}";
+    g_autofree char *centre = g_strdup_printf(blocks, "'Wheel'");
+    g_autofree char *rim = g_strdup_printf(blocks, "{'block': 'Wheel', 'at': [0, 0.4]}");
+    g_autoptr(StartFixture) f = start_fixture_new(centre);
+    assert_only(f, TINKER_ADVICE_SMALL_WHEEL, FALSE, "Line", "small wheel at the centre of Wheel", NULL);
+    g_autoptr(TinkerModel) model = tinker_model_new(f->scene, NULL);
+    g_autoptr(GPtrArray) all = tinker_advice_new(f->scene);
+    g_assert_cmpuint(tinker_model_warnings(model)->len, ==, 1);
+    g_assert_cmpstr(g_ptr_array_index(tinker_model_warnings(model), 0), ==,
+                    only(all, TINKER_ADVICE_SMALL_WHEEL)->message);
+    g_autoptr(StartFixture) g = start_fixture_new(rim);
+    g_autoptr(GPtrArray) none = tinker_advice_new(g->scene);
+    g_assert_cmpuint(none->len, ==, 0);
+}
+
 /* A loose end of a pin is connected where it lies, not to the centre. */
 static void test_loose_pin(void)
 {
@@ -363,6 +386,7 @@ static void add_tests(void)
     g_test_add_func("/advice/loose-end-at-a-support", test_loose_end_at_a_support);
     g_test_add_func("/advice/rate", test_rate);
     g_test_add_func("/advice/joint", test_joint);
+    g_test_add_func("/advice/small-wheel", test_small_wheel);
     g_test_add_func("/advice/loose-pin", test_loose_pin);
     g_test_add_func("/advice/nothing-wrong", test_nothing_wrong);
     g_test_add_func("/advice/detached-end", test_detached_end);

@@ -99,6 +99,29 @@ static void test_carts(CliFixture *fixture, gconstpointer data)
                                   "bodies is not modelled\n");
 }
 
+/* A rope with an end between on a disc's centre: check, plan and run say that it does not run round the disc. */
+static void test_small_wheel(CliFixture *fixture, gconstpointer data)
+{
+    g_autofree char *scene = cli_write(
+        fixture, "a.json",
+        "{\"tinker\": 1, \"run\": {\"duration\": 0.1}, \"blocks\": [{\"type\": \"support\", \"name\": \"Axle\", "
+        "\"solid\": false}, {\"type\": \"disc\", \"name\": \"Wheel\"}, {\"type\": \"pin\", \"ends\": [\"Axle\", "
+        "\"Wheel\"]}, {\"type\": \"mass\", \"name\": \"A\", \"position\": [-1, -2]}, {\"type\": \"mass\", \"name\": "
+        "\"B\", \"position\": [1, -2]}, {\"type\": \"rope\", \"name\": \"Line\", \"ends\": [\"A\", \"Wheel\", "
+        "\"B\"]}]}");
+    static const char *const warning =
+        "warning: Line: it goes over a small wheel at the centre of Wheel: it neither runs "
+        "round its rim nor turns it (for that, wind a cord on it on either side)\n";
+    g_autoptr(TestProgram) check = cli_run_well(fixture, "check @a.json");
+    cli_assert_holds(check->error, warning);
+    g_autoptr(TestProgram) plan = cli_run_well(fixture, "plan @a.json");
+    cli_assert_holds(plan->output, warning);
+    cli_assert_holds(plan->output,
+                     "  turning of wheels by ropes: Line slides over Wheel (cords wound on it turn it)\n");
+    g_autoptr(TestProgram) run = cli_run_well(fixture, "run @a.json");
+    cli_assert_holds(run->output, warning);
+}
+
 /* A method that nobody knows has its place, and stands beside the other mistakes; a run that asks for it says the same,
  * one that asks for another goes on. */
 static void test_method(CliFixture *fixture, gconstpointer data)
@@ -306,6 +329,7 @@ int main(int argc, char **argv)
     cli_test_add("/check/missing-type-once", test_missing_type_once);
     cli_test_add("/check/rounding", test_rounding);
     cli_test_add("/check/carts", test_carts);
+    cli_test_add("/check/small-wheel", test_small_wheel);
     cli_test_add("/check/overlap-by-verb", test_overlap_by_verb);
     cli_test_add("/check/slides-from-top", test_slides_from_top);
     cli_test_add("/check/overlap", test_overlap);

@@ -10,6 +10,7 @@
 #include "physics/model/model.h"
 #include "scene/frame/boxes.h"
 #include "scene/frame/overlaps.h"
+#include "scene/frame/small-wheels.h"
 
 /* Of the canvas's width: how far a loose end may be from what it is likely meant for. */
 #define NEAR_BY 0.1
@@ -194,6 +195,18 @@ static void on_meeting(GPtrArray *all, const TinkerFrame *frame)
     advice_add_block(advice, meeting.second);
 }
 
+static void on_small_wheels(GPtrArray *all, TinkerScene *scene, TinkerBlockId block)
+{
+    g_autoptr(GArray) wheels = tinker_small_wheels_of(scene, block);
+    for (guint i = 0; i < wheels->len; i++) {
+        const TinkerSmallWheel *wheel = &g_array_index(wheels, TinkerSmallWheel, i);
+        if (!wheel->is_round) continue;
+        TinkerAdvice *advice = advice_add(all, TINKER_ADVICE_SMALL_WHEEL, FALSE, tinker_small_wheel_text(scene, wheel));
+        advice_add_block(advice, wheel->over);
+        advice_add_block(advice, wheel->body);
+    }
+}
+
 /* The model -------------------------------------------------------------------------------------------------------- */
 
 /* The model's messages begin with the names of the blocks at fault, "Rod 0, Rod 1: ...". */
@@ -257,6 +270,8 @@ GPtrArray *tinker_advice_new(TinkerScene *scene)
         on_length(all, frame, tinker_scene_block_at(scene, i));
     if (all->len == 0) on_model(all, frame); /* which would say the first of these again */
     on_overlaps(all, frame);
+    for (int32_t i = 0; i < tinker_scene_block_count(scene); i++)
+        on_small_wheels(all, scene, tinker_scene_block_at(scene, i));
     on_meeting(all, frame);
     return all;
 }

@@ -11,6 +11,7 @@
 #include "physics/constraint/constraints.h"
 #include "physics/model/angles.h"
 #include "plugin/call/guarded.h"
+#include "scene/frame/small-wheels.h"
 
 static gboolean refuse_placeholder(TinkerScene *scene, GError **error)
 {
@@ -112,13 +113,26 @@ gboolean tinker_model_compile_parts(TinkerModel *model, GError **error)
     return tinker_model_compile_constraints(model, error);
 }
 
+static void tell_small_wheels(TinkerModel *model)
+{
+    for (int32_t i = 0; i < tinker_scene_block_count(model->scene); i++) {
+        g_autoptr(GArray) wheels = tinker_small_wheels_of(model->scene, tinker_scene_block_at(model->scene, i));
+        for (guint k = 0; k < wheels->len; k++) {
+            const TinkerSmallWheel *wheel = &g_array_index(wheels, TinkerSmallWheel, k);
+            if (wheel->is_round) g_ptr_array_add(model->warnings, tinker_small_wheel_text(model->scene, wheel));
+        }
+    }
+}
+
 static gboolean compile(TinkerModel *model, GError **error)
 {
     if (!tinker_model_compile_parts(model, error)) return FALSE;
     if (!tinker_model_check_pins(model, error)) return FALSE;
     model->contacts = tinker_contacts_new(model);
     if (!tinker_model_check_start(model, error)) return FALSE;
-    if (model->part || model->contacts == NULL) return TRUE;
+    if (model->part) return TRUE;
+    tell_small_wheels(model);
+    if (model->contacts == NULL) return TRUE;
     tinker_model_set_state(model, model->q_start, model->v_start);
     const guint before = model->warnings->len;
     tinker_contacts_tell_overlaps(model->contacts, model->warnings);

@@ -10,6 +10,7 @@
 #include "physics/plan/plan-private.h"
 #include "physics/plan/plan.h"
 #include "physics/plan/run-options.h"
+#include "scene/frame/small-wheels.h"
 
 static void say(GPtrArray *sentences, const char *format, ...) G_GNUC_PRINTF(2, 3);
 static void say(GPtrArray *sentences, const char *format, ...)
@@ -96,33 +97,16 @@ static gboolean has_long_outline(const TinkerModel *model)
     return FALSE;
 }
 
-/* The body about whose centre a rope bends, as about a wheel, that could turn; TINKER_NO_BLOCK. */
-static TinkerBlockId wheel_under(const TinkerModel *model, TinkerBlockId rope)
-{
-    const int32_t last = tinker_scene_end_count(model->scene, rope) - 1;
-    for (int32_t e = 1; e < last; e++) {
-        const TinkerSceneEnd end = tinker_scene_end(model->scene, rope, e);
-        const int32_t centre = tinker_model_centre(model, end.block);
-        const gboolean is_body = centre >= 0 && centre < model->bodies;
-        if (is_body && tinker_model_turn(model, centre) != NULL && end.x == 0 && end.y == 0) return end.block;
-    }
-    return TINKER_NO_BLOCK;
-}
-
 /* What a rope goes over it does not turn, which its picture does not show. */
 static void describe_wheels(TinkerPlan *plan, const TinkerModel *model)
 {
-    for (guint i = 0; model->turning > 0 && i < model->batches->len; i++) {
-        const TinkerBlockBatch *batch = g_ptr_array_index(model->batches, i);
-        const TinkerPhysics *physics = batch->block_class->physics;
-        if (physics == NULL || physics->constraint == NULL || !physics->constraint->unilateral) continue;
-        for (int32_t row = 0; row < batch->count; row++) {
-            const TinkerBlockId wheel = wheel_under(model, batch->ids[row]);
-            if (wheel == TINKER_NO_BLOCK) continue;
-            say(plan->left_out, _("turning of wheels by ropes: %s slides over %s (cords wound on it turn it)"),
-                tinker_scene_block_name(model->scene, batch->ids[row]), tinker_scene_block_name(model->scene, wheel));
-            return;
-        }
+    for (int32_t i = 0; model->turning > 0 && i < tinker_scene_block_count(model->scene); i++) {
+        g_autoptr(GArray) wheels = tinker_small_wheels_of(model->scene, tinker_scene_block_at(model->scene, i));
+        if (wheels->len == 0) continue;
+        const TinkerSmallWheel *wheel = &g_array_index(wheels, TinkerSmallWheel, 0);
+        say(plan->left_out, _("turning of wheels by ropes: %s slides over %s (cords wound on it turn it)"),
+            tinker_scene_block_name(model->scene, wheel->over), tinker_scene_block_name(model->scene, wheel->body));
+        return;
     }
 }
 
