@@ -55,21 +55,24 @@ static void draw(const TinkerInstance *instance, struct _cairo *cairo, const Tin
 {
     const double radius = RADIUS * style->symbol_size;
     const double rate = instance->columns[COLUMN_SPEED] + instance->columns[COLUMN_WAVEFORM + 1];
-    tinker_joint_draw_gap(instance, cairo, style, radius);
-    style->circle(style, cairo, -1, TINKER_COLOUR_MOTION, instance->end[0].x, instance->end[0].y, 0.5 * radius);
-    tinker_draw_turn_arrow(style, cairo, TINKER_COLOUR_MOTION, instance->end[0].x, instance->end[0].y, radius, rate);
+    const TinkerEnd *at = tinker_turn_end(instance);
+    tinker_turn_draw_ends(instance, cairo, style, radius);
+    style->circle(style, cairo, -1, TINKER_COLOUR_MOTION, at->x, at->y, 0.5 * radius);
+    tinker_draw_turn_arrow(style, cairo, TINKER_COLOUR_MOTION, at->x, at->y, radius,
+                           instance->end[0].attached == TINKER_ATTACHED_TO_SUPPORT ? -rate
+                                                                                   : rate); /* as what moves turns */
 }
 
 static void bounds(const TinkerInstance *instance, const TinkerStyle *style, double box[4])
 {
-    tinker_round_bounds(instance, style, (RADIUS + 1.0) * style->symbol_size, box);
+    tinker_turn_bounds(instance, style, (RADIUS + 1.0) * style->symbol_size, box);
 }
 
 /* Editing */
 
 static int32_t hit(const TinkerInstance *instance, double x, double y, double reach)
 {
-    return tinker_round_hit(instance, (RADIUS + 0.5) * tinker_instance_symbol_size(instance), x, y, reach);
+    return tinker_turn_hit(instance, (RADIUS + 0.5) * tinker_instance_symbol_size(instance), x, y, reach);
 }
 
 /* Graphs */

@@ -37,8 +37,9 @@ static TinkerStatus torsion(TinkerBatch *batch, double *stiffness, double *dampi
 static void draw(const TinkerInstance *instance, struct _cairo *cairo, const TinkerStyle *style)
 {
     const double radius = RADIUS * style->symbol_size, angle = instance->end[0].angle, vane = instance->end[1].angle;
-    const double x = instance->x, y = instance->y, c = cos(vane), s = sin(vane);
-    tinker_joint_draw_gap(instance, cairo, style, radius);
+    const TinkerEnd *at = tinker_turn_end(instance);
+    const double x = at->x, y = at->y, c = cos(vane), s = sin(vane);
+    tinker_turn_draw_ends(instance, cairo, style, radius);
     tinker_draw_arc(style, cairo, TINKER_COLOUR_CONNECTOR, x, y, angle - 2.4, angle + 2.4, radius, radius);
     style->line(style, cairo, TINKER_COLOUR_CONNECTOR, x - 0.7 * radius * c, y - 0.7 * radius * s, x + 0.7 * radius * c,
                 y + 0.7 * radius * s);
@@ -46,14 +47,14 @@ static void draw(const TinkerInstance *instance, struct _cairo *cairo, const Tin
 
 static void bounds(const TinkerInstance *instance, const TinkerStyle *style, double box[4])
 {
-    tinker_symbol_bounds(instance, style, RADIUS, box);
+    tinker_turn_bounds(instance, style, RADIUS * style->symbol_size, box);
 }
 
 /* Editing */
 
 static int32_t hit(const TinkerInstance *instance, double x, double y, double reach)
 {
-    return tinker_round_hit(instance, RADIUS * tinker_instance_symbol_size(instance), x, y, reach);
+    return tinker_turn_hit(instance, RADIUS * tinker_instance_symbol_size(instance), x, y, reach);
 }
 
 /* Graphs */

@@ -50,29 +50,29 @@ static TinkerStatus torsion(TinkerBatch *batch, double *stiffness, double *dampi
 
 static void draw(const TinkerInstance *instance, struct _cairo *cairo, const TinkerStyle *style)
 {
-    const TinkerEnd *a = &instance->end[0], *b = &instance->end[1];
+    const TinkerEnd *a = &instance->end[0], *b = &instance->end[1], *at = tinker_turn_end(instance);
     const double turn = b->angle - a->angle - instance->columns[COLUMN_REST_ANGLE];
     const double whole = 2.0 * TINKER_PI * TURNS + (fabs(turn) < 4.0 * TINKER_PI ? turn : 0.0);
     const double radius = RADIUS * style->symbol_size;
-    tinker_joint_draw_gap(instance, cairo, style, radius);
+    tinker_turn_draw_ends(instance, cairo, style, radius);
     for (int part = 0; part < 4; part++) { /* so that each has lines enough */
         const double from = part / 4.0, to = (part + 1) / 4.0;
-        tinker_draw_arc(style, cairo, turn < 0.0 ? TINKER_COLOUR_COMPRESSED : TINKER_COLOUR_STRETCHED, instance->x,
-                        instance->y, a->angle + from * whole, a->angle + to * whole, radius * (1.0 - 0.8 * from),
+        tinker_draw_arc(style, cairo, turn < 0.0 ? TINKER_COLOUR_COMPRESSED : TINKER_COLOUR_STRETCHED, at->x, at->y,
+                        a->angle + from * whole, a->angle + to * whole, radius * (1.0 - 0.8 * from),
                         radius * (1.0 - 0.8 * to));
     }
 }
 
 static void bounds(const TinkerInstance *instance, const TinkerStyle *style, double box[4])
 {
-    tinker_symbol_bounds(instance, style, RADIUS, box);
+    tinker_turn_bounds(instance, style, RADIUS * style->symbol_size, box);
 }
 
 /* Editing */
 
 static int32_t hit(const TinkerInstance *instance, double x, double y, double reach)
 {
-    return tinker_round_hit(instance, RADIUS * tinker_instance_symbol_size(instance), x, y, reach);
+    return tinker_turn_hit(instance, RADIUS * tinker_instance_symbol_size(instance), x, y, reach);
 }
 
 /* Graphs */

@@ -66,13 +66,21 @@ static void locate(TinkerFrame *frame)
     }
 }
 
+static gboolean stands(const TinkerFrame *frame, TinkerBlockId block)
+{
+    const TinkerBlockClass *block_class = tinker_scene_block_class(frame->scene, block);
+    return block_class != NULL && block_class->physics != NULL && block_class->physics->body != NULL &&
+           block_class->physics->body->degrees_of_freedom == 0;
+}
+
 static void end_place(const TinkerFrame *frame, const TinkerSceneEnd *end, TinkerEnd *out)
 {
     *out = (TinkerEnd){end->x, end->y, 0, 0, 0};
     if (end->block == TINKER_NO_BLOCK) return;
     const Pose *pose = &frame->poses[end->block];
     double c = cos(pose->orientation), s = sin(pose->orientation);
-    *out = (TinkerEnd){pose->x + c * end->x - s * end->y, pose->y + s * end->x + c * end->y, 1, 0, pose->orientation};
+    *out = (TinkerEnd){pose->x + c * end->x - s * end->y, pose->y + s * end->x + c * end->y,
+                       stands(frame, end->block) ? TINKER_ATTACHED_TO_SUPPORT : 1, 0, pose->orientation};
 }
 
 /* Of the path from end to end, in their order; NAN where there are not two. */

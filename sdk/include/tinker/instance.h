@@ -8,11 +8,11 @@
 extern "C" {
 #endif
 
-/* An end of an instance: where it lies now (m), how what it is on is turned (rad), and whether it is attached to a
- * block. */
+/* An end of an instance: where it lies now (m), how what it is on is turned (rad), and what it is attached to. */
+#define TINKER_ATTACHED_TO_SUPPORT 2 /* to a block that no force moves */
 typedef struct TinkerEnd {
     double x, y;
-    int32_t attached; /* 1 or 0 */
+    int32_t attached; /* 0: to nothing, 1: to a body, or TINKER_ATTACHED_TO_SUPPORT */
     int32_t reserved;
     double angle;
 } TinkerEnd;

@@ -108,27 +108,6 @@ static inline void tinker_round_bounds(const TinkerInstance *instance, const Tin
     }
 }
 
-/* Hit of a connector that is drawn along the lines between its ends, and about its middle and its first end within a
- * radius. */
-static inline int32_t tinker_round_hit(const TinkerInstance *instance, double radius, double x, double y, double reach)
-{
-    const int32_t part = tinker_connector_hit(instance, x, y, reach);
-    if (part != TINKER_PART_NONE) return part;
-    const double middle = tinker_length(x - instance->x, y - instance->y);
-    const double first = tinker_length(x - instance->end[0].x, y - instance->end[0].y);
-    return fmin(middle, first) <= radius + reach ? TINKER_PART_WHOLE : TINKER_PART_NONE;
-}
-
-/* Bounds of what is drawn in the middle within so many symbols, along the lines between its ends where they
- * have come apart. */
-static inline void tinker_symbol_bounds(const TinkerInstance *instance, const TinkerStyle *style, double symbols,
-                                        double box[4])
-{
-    const double radius = symbols * style->symbol_size;
-    tinker_round_bounds(instance, style, radius, box);
-    tinker_bounds_add(box, instance->x, instance->y, radius + tinker_drawing_margin(style));
-}
-
 /* Where its ends have come apart, as in a scene whose start does not fit, what is between them. */
 static inline void tinker_joint_draw_gap(const TinkerInstance *instance, struct _cairo *cairo, const TinkerStyle *style,
                                          double near)
@@ -137,6 +116,49 @@ static inline void tinker_joint_draw_gap(const TinkerInstance *instance, struct 
     if (tinker_length(b->x - a->x, b->y - a->y) <= near) return;
     style->line(style, cairo, TINKER_COLOUR_CONNECTOR, a->x, a->y, b->x, b->y);
     tinker_ends_draw_marks(instance, cairo, style);
+}
+
+/* What ties the turning of two blocks and holds no places: a drive, a torsional spring. It is drawn at one place, at
+ * the end on what stands, as a bearing does, else at its first end, whatever lies between its ends; these are shown
+ * only while it is selected, or one of them is loose. */
+static inline const TinkerEnd *tinker_turn_end(const TinkerInstance *instance)
+{
+    const TinkerEnd *end = instance->end;
+    const int first = end[0].attached == TINKER_ATTACHED_TO_SUPPORT;
+    return !first && instance->ends > 1 && end[1].attached == TINKER_ATTACHED_TO_SUPPORT ? &end[1] : &end[0];
+}
+
+static inline int tinker_turn_shows_ends(const TinkerInstance *instance, uint32_t state)
+{
+    int loose = 0;
+    for (int32_t k = 0; k < instance->ends; k++) {
+        loose = loose || !instance->end[k].attached;
+    }
+    return loose || (state & (TINKER_STATE_SELECTED | TINKER_STATE_DETACHED)) != 0;
+}
+
+static inline void tinker_turn_draw_ends(const TinkerInstance *instance, struct _cairo *cairo, const TinkerStyle *style,
+                                         double near)
+{
+    if (tinker_turn_shows_ends(instance, style->state)) tinker_joint_draw_gap(instance, cairo, style, near);
+}
+
+static inline void tinker_turn_bounds(const TinkerInstance *instance, const TinkerStyle *style, double radius,
+                                      double box[4])
+{
+    const TinkerEnd *at = tinker_turn_end(instance);
+    tinker_bounds_clear(box);
+    if (tinker_turn_shows_ends(instance, style->state)) tinker_connector_bounds(instance, style, box);
+    tinker_bounds_add(box, at->x, at->y, radius + tinker_drawing_margin(style));
+}
+
+static inline int32_t tinker_turn_hit(const TinkerInstance *instance, double radius, double x, double y, double reach)
+{
+    const TinkerEnd *at = tinker_turn_end(instance);
+    const int32_t part = tinker_turn_shows_ends(instance, 0) ? tinker_connector_hit(instance, x, y, reach)
+                                                             : tinker_ends_hit(instance, x, y, reach);
+    if (part != TINKER_PART_NONE) return part;
+    return tinker_length(x - at->x, y - at->y) <= radius + reach ? TINKER_PART_WHOLE : TINKER_PART_NONE;
 }
 
 #ifdef __cplusplus
