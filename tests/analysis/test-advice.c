@@ -343,6 +343,30 @@ static void test_loose_pin(void)
     g_assert_cmpfloat(end.x, ==, -0.5);
 }
 
+/* What it is connected to lies under it, and above what else does: a drive of a crank with its other end over bearing,
+ * coupler and rod gets the bearing, which is drawn above them; nothing is offered that lies 0.3 m away, on a canvas of
+ * 10 m. A disc is as large as its radius. */
+static void test_loose_end_finds_what_is_under_it(void)
+{
+    static const char *const blocks =
+        "{'type': 'support', 'name': 'Bearing', 'solid': false, 'width': 0.3, 'height': 0.2},"
+        "{'type': 'bar', 'name': 'Coupler', 'position': [0, 0.03], 'width': 0.1},"
+        "{'type': 'bar', 'name': 'Crank', 'position': [0.5, 0], 'width': 0.1},"
+        "{'type': 'disc', 'name': 'Wheel', 'position': [3, 0], 'radius': 1},"
+        "{'type': 'drive', 'ends': ['Crank', [%g, %g]]}";
+    static const struct {
+        double x, y;
+        const char *repair;
+    } cases[] = {{0, 0.02, "Connect it to Bearing"}, {0.3, 0.04, "Connect it to Coupler"},
+                 {0.3, 0.38, "Add a support there"}, {2.4, 0.7, "Connect it to Wheel"},
+                 {2.2, 0.9, "Connect it to Wheel"},  {2.2, 1.1, "Add a support there"}};
+    for (gsize i = 0; i < G_N_ELEMENTS(cases); i++) {
+        g_autofree char *text = g_strdup_printf(blocks, cases[i].x, cases[i].y);
+        g_autoptr(StartFixture) f = start_fixture_new(text);
+        assert_only(f, TINKER_ADVICE_DETACHED_END, TRUE, "Drive 0", "is not connected", cases[i].repair);
+    }
+}
+
 /* A loose end over a long plate stays where it was drawn, far from the plate's centre; at a pivot it goes to that. */
 static void test_loose_end_at_a_support(void)
 {
@@ -387,6 +411,7 @@ static void add_tests(void)
     g_test_add_func("/advice/rate", test_rate);
     g_test_add_func("/advice/joint", test_joint);
     g_test_add_func("/advice/small-wheel", test_small_wheel);
+    g_test_add_func("/advice/loose-end-under", test_loose_end_finds_what_is_under_it);
     g_test_add_func("/advice/loose-pin", test_loose_pin);
     g_test_add_func("/advice/nothing-wrong", test_nothing_wrong);
     g_test_add_func("/advice/detached-end", test_detached_end);

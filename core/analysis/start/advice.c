@@ -9,11 +9,13 @@
 #include "physics/compile/compile.h"
 #include "physics/model/model.h"
 #include "scene/frame/boxes.h"
+#include "scene/frame/drawing-order.h"
 #include "scene/frame/overlaps.h"
 #include "scene/frame/small-wheels.h"
 
-/* Of the canvas's width: how far a loose end may be from what it is likely meant for. */
-#define NEAR_BY 0.1
+/* Of the canvas's width: how far a loose end may be from what it is likely meant for, about a finger's breadth of the
+ * screen: what is further away was not meant. */
+#define NEAR_BY 0.025
 
 static const TinkerDimension length_dimension = TINKER_DIMENSION_LENGTH;
 
@@ -33,12 +35,14 @@ static gboolean accepts(const TinkerBlockClass *connector, const TinkerBlockClas
     return (connector->type->end_accepts & needed) != 0;
 }
 
-/* The distance of a place from a body's box; 0 inside. */
+/* The distance of a place from a body's box, or from its rim where it is round; 0 inside. */
 static double distance_from(const TinkerFrame *frame, TinkerBlockId body, const double place[2])
 {
     double x, y, angle;
     tinker_frame_centre(frame, body, &x, &y, &angle);
     double c = cos(angle), s = sin(angle), dx = place[0] - x, dy = place[1] - y;
+    const double radius = tinker_frame_meaning(frame, body, TINKER_MEANING_RADIUS, 0, 0);
+    if (radius > 0) return fmax(hypot(dx, dy) - radius, 0);
     double across = fabs(c * dx + s * dy) - 0.5 * tinker_frame_meaning(frame, body, TINKER_MEANING_WIDTH, 0, 0);
     double up = fabs(c * dy - s * dx) - 0.5 * tinker_frame_meaning(frame, body, TINKER_MEANING_HEIGHT, 0, 0);
     return hypot(fmax(across, 0), fmax(up, 0));
@@ -51,7 +55,8 @@ static gboolean has_end_on(TinkerScene *scene, TinkerBlockId connector, TinkerBl
     return FALSE;
 }
 
-/* The nearest block that an end of the connector accepts and that it is not on yet, within `reach`. */
+/* The nearest block that an end of the connector accepts and that it is not on yet, within `reach`; of those that lie
+ * under the place the one that is drawn above the others, which an end that is dropped there goes to. */
 static TinkerBlockId nearest_target(const TinkerFrame *frame, TinkerBlockId connector, const double place[2],
                                     double reach)
 {
@@ -62,8 +67,10 @@ static TinkerBlockId nearest_target(const TinkerFrame *frame, TinkerBlockId conn
         TinkerBlockId block = tinker_scene_block_at(scene, i);
         if (!accepts(block_class, tinker_scene_block_class(scene, block))) continue;
         double distance = distance_from(frame, block, place);
-        if (!(distance <= reach) || (nearest != TINKER_NO_BLOCK && distance == reach)) continue;
-        if (has_end_on(scene, connector, block)) continue;
+        if (!(distance <= reach) || has_end_on(scene, connector, block)) continue;
+        if (distance == reach && nearest != TINKER_NO_BLOCK &&
+            tinker_frame_layer(frame, block) < tinker_frame_layer(frame, nearest))
+            continue;
         reach = distance;
         nearest = block;
     }
