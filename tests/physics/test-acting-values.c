@@ -65,6 +65,36 @@ static void test_turning(void)
     assert_force(find(scene, out, "Rod 0", "Support 0", TINKER_ACTING_CONSTRAINT), 0, -tension, 0, 0);
 }
 
+/* Cords pull at the rim where they leave a pulley of 4 kg, not at its centre: a = (3 - 2) g / (3 + 2 + 4/2), with
+ * 3 (g - a) and 2 (g + a) at either side of it. One that leaves obliquely, from a disc about (1, 2) to (4, 6) that is 5
+ * m away, does so where radius and cord are at right angles. */
+static void test_cords(void)
+{
+    const double a = G / 7;
+    g_autoptr(TinkerScene) scene = physics_scene(
+        NULL, "{'type': 'gravity'}, {'type': 'support', 'name': 'Axle', 'position': [1, 2], 'solid': false},"
+              "{'type': 'disc', 'name': 'Pulley', 'mass': 4, 'radius': 0.5, 'position': [1, 2], 'solid': false},"
+              "{'type': 'pin', 'ends': ['Axle', 'Pulley']}, {'type': 'mass', 'name': 'Heavy', 'mass': 3, "
+              "'position': [0.5, 0]}, {'type': 'mass', 'name': 'Light', 'mass': 2, 'position': [1.5, -1]},"
+              "{'type': 'cord', 'name': 'Left', 'ends': ['Pulley', 'Heavy'], 'side': 'right'},"
+              "{'type': 'cord', 'name': 'Right', 'ends': ['Pulley', 'Light'], 'side': 'left'}");
+    g_autoptr(GArray) out = acting_watch_at_start(scene);
+    const TinkerActingForce *left = find(scene, out, "Left", "Pulley", TINKER_ACTING_CONSTRAINT);
+    assert_force(left, 0, -3 * (G - a), 0.5, 2);
+    g_assert_cmpfloat(left->torque, ==, 0);
+    assert_force(find(scene, out, "Right", "Pulley", TINKER_ACTING_CONSTRAINT), 0, -2 * (G + a), 1.5, 2);
+    assert_force(find(scene, out, "Right", "Light", TINKER_ACTING_CONSTRAINT), 0, 2 * (G + a), 1.5, -1);
+    g_autoptr(TinkerScene) oblique = physics_scene(
+        NULL, "{'type': 'disc', 'name': 'Wheel', 'radius': 3, 'position': [1, 2], 'angular_velocity': 0},"
+              "{'type': 'mass', 'name': 'M', 'position': [4, 6]}, {'type': 'motor', 'ends': ['M'], 'amplitude': 7, "
+              "'frequency': 0, 'angle': 0}, {'type': 'cord', 'name': 'Cord', 'ends': ['Wheel', 'M']}");
+    g_autoptr(GArray) pulls = acting_watch_at_start(oblique);
+    const TinkerActingForce *cord = find(oblique, pulls, "Cord", "Wheel", TINKER_ACTING_CONSTRAINT);
+    physics_assert_near("x", cord->x, 1 + 3 * -0.28, 1e-12);
+    physics_assert_near("y", cord->y, 2 + 3 * 0.96, 1e-12);
+    g_assert_cmpfloat(hypot(cord->fx, cord->fy), >, 1);
+}
+
 /* A block sticks on an incline: m g cos across it and m g sin along it, where they touch. */
 static void test_incline(void)
 {
@@ -106,6 +136,7 @@ static void add_tests(void)
 {
     g_test_add_func("/physics/acting-forces/hanging", test_hanging);
     g_test_add_func("/physics/acting-forces/turning", test_turning);
+    g_test_add_func("/physics/acting-forces/cords", test_cords);
     g_test_add_func("/physics/acting-forces/incline", test_incline);
     g_test_add_func("/physics/acting-forces/odd-scenes", test_odd_scenes);
 }

@@ -113,12 +113,25 @@ static TinkerStatus add_fields(TinkerActingForces *forces, const TinkerBlockBatc
     return TINKER_OK;
 }
 
+/* Of what is wound on a body: it pulls where it leaves that, along its line, which passes the centre by
+ * (fy, -fx) torque / f^2; so there is no torque beside the force that was added last. */
+static void pull_at_rim(TinkerActingForces *forces)
+{
+    TinkerActingForce *force = &g_array_index(forces->out, TinkerActingForce, forces->out->len - 1);
+    const double square = force->fx * force->fx + force->fy * force->fy;
+    if (!(square > 0)) return;
+    force->x += force->torque * force->fy / square;
+    force->y -= force->torque * force->fx / square;
+    force->torque = 0;
+}
+
 /* Constraints pull each end by J^T lambda: the rows of one block on one end together. */
 static void add_constraints(TinkerActingForces *forces, const TinkerConstraintBatch *part)
 {
     const TinkerConstraints *all = &forces->model->constraints;
     const TinkerBlockBatch *batch = part->batch;
     int32_t rows = part->constraint->rows;
+    const gboolean is_wound = tinker_block_class_is_wound(batch->block_class);
     const gboolean rubs = part->constraint->friction != NULL && forces->model->contacts != NULL;
     g_autofree double *torques = rubs ? g_new0(double, MAX(batch->end_count, 1)) : NULL;
     if (rubs) tinker_contacts_pin_torques(forces->model->contacts, part, torques);
@@ -135,6 +148,7 @@ static void add_constraints(TinkerActingForces *forces, const TinkerConstraintBa
                     torque += all->lambda[row] * part->angles->angular[rows * from + r * ends + e];
             }
             add(forces, TINKER_ACTING_CONSTRAINT, batch->ids[i], e, part->end_points[from + e], fx, fy, torque);
+            if (e == 0 && is_wound) pull_at_rim(forces);
         }
     }
 }
