@@ -55,6 +55,46 @@ static void test_ends(void)
     g_assert_cmpint(tinker_scene_end(scene, spring, 1).block, ==, gui_fixture_block(fixture, "Mass 0"));
 }
 
+/* Where on a body that turns, or on a support, an end is can be typed; a point mass has no places. A pin takes its body
+ * along: 0.25 m from the centre of a bar that lies along x, the bar's centre is 0.25 m from the support. */
+static void test_places_of_ends(void)
+{
+    g_autoptr(GuiFixture) fixture = gui_fixture_new(
+        "{'type': 'support', 'name': 'S'}, {'type': 'bar', 'name': 'B', 'position': [0.5, 0]},"
+        "{'type': 'mass', 'name': 'M', 'position': [3, 3]}, {'type': 'marker', 'name': 'P', 'ends': ['B']},"
+        "{'type': 'pin', 'name': 'Pin', 'ends': ['S', {'block': 'B', 'at': [-0.5, 0]}]},"
+        "{'type': 'spring', 'name': 'K', 'ends': ['B', 'M']}");
+    TinkerScene *scene = tinker_document_scene(fixture->document);
+    panel_select(fixture, "P");
+    g_autofree char *before = gui_fixture_text(fixture);
+    panel_assert_shown(fixture, "Connections", "End X", "0.00000 m");
+    panel_type(fixture, "Connections", "End X", "30 cm");
+    const TinkerSceneEnd on_bar = tinker_scene_end(scene, gui_fixture_block(fixture, "P"), 0);
+    g_assert_cmpint(on_bar.block, ==, gui_fixture_block(fixture, "B"));
+    g_assert_cmpfloat_with_epsilon(on_bar.x, 0.3, 1e-15);
+    g_assert_cmpfloat(on_bar.y, ==, 0);
+    g_assert_cmpfloat(panel_stored(fixture, "B", "position", 0), ==, 0.5);
+    panel_assert_undoes(fixture, before);
+    panel_assert_refused(fixture, "Connections", "End Y", "1 kg", PARTS("length"));
+
+    panel_select(fixture, "Pin");
+    g_autofree char *marked = gui_fixture_text(fixture);
+    panel_assert_shown(fixture, "Connections", "End 2 X", "-0.50000 m");
+    panel_type(fixture, "Connections", "End 2 X", "-0.25");
+    g_assert_cmpfloat_with_epsilon(panel_stored(fixture, "B", "position", 0), 0.25, 1e-9);
+    g_assert_cmpfloat_with_epsilon(panel_stored(fixture, "B", "position", 1), 0, 1e-9);
+    tinker_document_undo(fixture->document); /* one step */
+    g_autofree char *undone = gui_fixture_text(fixture);
+    g_assert_cmpstr(undone, ==, marked);
+    panel_type(fixture, "Connections", "End 1 Y", "0.1");
+    const double turn = panel_stored(fixture, "B", "orientation", 0);
+    g_assert_cmpfloat_with_epsilon(panel_stored(fixture, "B", "position", 0) - 0.5 * cos(turn), 0, 1e-9);
+    g_assert_cmpfloat_with_epsilon(panel_stored(fixture, "B", "position", 1) - 0.5 * sin(turn), 0.1, 1e-9);
+    panel_select(fixture, "K");
+    g_autoptr(TinkerPropertyRow) none = panel_find_row(fixture, "Connections", "End 2 X");
+    g_assert_null(none);
+}
+
 static void test_as_placed(void)
 {
     g_autoptr(GuiFixture) fixture =
@@ -126,6 +166,7 @@ static void add_tests(void)
     g_test_add_func("/gui/property-list/offset", test_offset);
     g_test_add_func("/gui/property-list/offset-stretches", test_offset_stretches);
     g_test_add_func("/gui/property-list/ends", test_ends);
+    g_test_add_func("/gui/property-list/places-of-ends", test_places_of_ends);
     g_test_add_func("/gui/property-list/as-placed", test_as_placed);
     g_test_add_func("/gui/property-list/motion", test_motion);
     g_test_add_func("/gui/property-list/two-motions", test_two_motions);

@@ -30,8 +30,9 @@ void property_row_sort_by(TinkerPropertyRow *row, const char *text);
 /* The rows of blocks; property-rows.c. */
 void property_rows_add_name(PropertyBuilder *builder);
 void property_rows_add_property(PropertyBuilder *builder, int32_t property);
-/* What quantities are now, where there is a record; what it is connected to; property-rows-live.c. */
+/* What quantities are now, where there is a record; property-rows-live.c. */
 void property_rows_add_readings(PropertyBuilder *builder);
+/* What it is connected to, and where on that; property-rows-ends.c. */
 void property_rows_add_ends(PropertyBuilder *builder);
 /* Those of blocks attached to the one of the builder, and of types that could be; property-rows-attached.c. */
 void property_rows_add_attached(PropertyBuilder *builder);
