@@ -16,6 +16,10 @@ typedef struct {
  * hit. */
 TinkerHit tinker_hit(TinkerFrame *frame, double x, double y, double reach, TinkerBlockId skip);
 
+/* Whether all ends of a connector are attached and lie at one place, less than a symbol from each other, as those of a
+ * pin and of a drive at its bearing. */
+gboolean tinker_is_at_one_place(TinkerFrame *frame, TinkerBlockId connector);
+
 /* What a drag takes hold of that begins at a point where this was hit: of a connector whose ends are all attached,
  * which cannot be moved itself, the topmost body under the point that can, those that it is on before others; with its
  * ends at one place, as of a drive at its bearing, else the first body of its ends that can. Everything else is taken

@@ -86,6 +86,13 @@ static gboolean all_attached(const TinkerInstance *instance, double within)
     return instance->ends > 0;
 }
 
+gboolean tinker_is_at_one_place(TinkerFrame *frame, TinkerBlockId connector)
+{
+    TinkerInstance instance;
+    return tinker_frame_instance(frame, connector, &instance) && instance.ends > 1 &&
+           all_attached(&instance, tinker_instance_symbol_size(&instance));
+}
+
 static gboolean is_on(TinkerScene *scene, TinkerBlockId connector, TinkerBlockId body)
 {
     for (int32_t k = 0; k < tinker_scene_end_count(scene, connector); k++)
@@ -122,7 +129,7 @@ TinkerHit tinker_hit_to_drag(TinkerFrame *frame, TinkerHit hit, double x, double
     if (hit.block == TINKER_NO_BLOCK || hit.part != TINKER_PART_WHOLE ||
         !tinker_frame_instance(frame, hit.block, &instance) || !all_attached(&instance, INFINITY))
         return hit;
-    const gboolean at_one_place = all_attached(&instance, tinker_instance_symbol_size(&instance));
+    const gboolean at_one_place = tinker_is_at_one_place(frame, hit.block);
     TinkerBlockId body = body_beneath(frame, hit.block, x, y, reach);
     if (body == TINKER_NO_BLOCK && at_one_place) body = first_of_ends(tinker_frame_scene(frame), hit.block);
     return body != TINKER_NO_BLOCK ? (TinkerHit){body, TINKER_PART_WHOLE} : hit;

@@ -98,6 +98,8 @@ static void test_to_drag(void)
         g_assert_cmpstr(tinker_scene_block_name(scene, to.block), ==, cases[i].dragged);
         g_assert_cmpint(to.part, ==, TINKER_PART_WHOLE);
     }
+    g_assert_true(tinker_is_at_one_place(frame, tinker_scene_find_block(scene, "End")));
+    g_assert_false(tinker_is_at_one_place(frame, tinker_scene_find_block(scene, "Middle")));
     const TinkerHit end = {tinker_scene_find_block(scene, "Middle"), 0};
     g_assert_cmpint(tinker_hit_to_drag(frame, end, 0.5, 0, 0.02).block, ==, end.block);
 }

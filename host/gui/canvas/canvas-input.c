@@ -16,28 +16,17 @@ static void set_highlighted(TinkerCanvas *canvas, TinkerBlockId block)
     gtk_widget_queue_draw(GTK_WIDGET(canvas));
 }
 
-static gboolean has_end_on(TinkerScene *scene, TinkerBlockId connector, TinkerBlockId body)
-{
-    for (int32_t end = 0; end < tinker_scene_end_count(scene, connector); end++)
-        if (tinker_scene_end(scene, connector, end).block == body) return TRUE;
-    return FALSE;
-}
-
-/* An end that is attached lies over the body it is on: that is meant, unless the connector is selected. Both ends of a
- * joint lie there, often at an edge: it is not torn off where the pointer is a little beside it, or above the other
- * body.
- */
+/* An end that is attached lies over the body it is on: that is meant, unless the connector is selected. What has its
+ * ends at one place, as a pin, is meant itself, for nothing else of it could be clicked. */
 static TinkerHit body_rather_than_end(TinkerCanvas *canvas, TinkerFrame *frame, TinkerHit hit, const double world[2])
 {
     TinkerScene *scene = tinker_frame_scene(frame);
     gboolean is_end = hit.part >= 0 && hit.part < tinker_scene_end_count(scene, hit.block);
     if (!is_end || tinker_document_is_selected(canvas->document, hit.block)) return hit;
+    if (tinker_is_at_one_place(frame, hit.block)) return (TinkerHit){hit.block, TINKER_PART_WHOLE};
     TinkerBlockId body = tinker_scene_end(scene, hit.block, hit.part).block;
     if (body == TINKER_NO_BLOCK) return hit;
-    const gboolean is_joint = tinker_is_joint(scene, hit.block);
-    TinkerBlockId under =
-        tinker_hit_connectable(frame, hit.block, world[0], world[1], is_joint ? canvas_reach(canvas) : 0);
-    if (is_joint && under != TINKER_NO_BLOCK && has_end_on(scene, hit.block, under)) body = under;
+    TinkerBlockId under = tinker_hit_connectable(frame, hit.block, world[0], world[1], 0);
     return under == body ? (TinkerHit){body, TINKER_PART_WHOLE} : hit;
 }
 

@@ -99,6 +99,14 @@ def test_driven_crank_is_played_by_hand(display):
                 check_played(app, start, (0.7 * start[0], 0.7 * start[0]))
 
 
+def test_click_on_a_pin_selects_it(display):
+    """A pin has nothing else to be clicked at; a drag that begins there takes the body, see above."""
+    with App(display, driven_slider_crank(-0.25)) as app:
+        app.click_world(0.5, 0)
+        app.wait_read("Connections", "End 1", "Crank")
+        check_equal(app.read("Connections", "End 1 X"), "0.25000 m", "where on the crank")
+
+
 def test_typed_angle_takes_the_others_along(display):
     blocks = (support("Wall", -0.5, 0), bar("Crank", 0, 0), pin("A", at("Wall", 0), at("Crank", -0.5)))
     with App(display, scene(*blocks)) as app:
