@@ -17,7 +17,8 @@ struct _TinkerHand {
     TinkerBlockId block; /* of what was set last */
     char *name;
     double value;
-    double partner; /* what belongs to it was before the hand began to turn; NAN: nothing */
+    double partner; /* what belongs to it was before the number was turned; NAN: nothing */
+    double given;   /* what the hand made of that last */
     gboolean waits, shown_whole;
     gboolean begins; /* it has let go since */
     guint steps;     /* of undo, so far */
@@ -40,15 +41,27 @@ static int32_t find_partner(const TinkerBlockClass *block_class, const TinkerNum
     return *property >= 0 ? block_class->first_columns[*property] : -1;
 }
 
-static void note_partner(TinkerHand *hand)
+/* What belongs to the number that was turned last, or -1: its column and property. */
+static int32_t partner_of(TinkerHand *hand, int32_t *property)
 {
     TinkerScene *scene = tinker_document_scene(hand->document);
     TinkerNumber number;
-    int32_t property, column = -1;
     gboolean is_lower;
-    if (tinker_scene_has_block(scene, hand->block) && tinker_scene_find_number(scene, hand->block, hand->name, &number))
-        column = find_partner(tinker_scene_block_class(scene, hand->block), &number, &property, &is_lower);
-    hand->partner = column >= 0 ? tinker_scene_get(scene, hand->block, column) : NAN;
+    if (hand->name == NULL || !tinker_scene_has_block(scene, hand->block) ||
+        !tinker_scene_find_number(scene, hand->block, hand->name, &number))
+        return -1;
+    return find_partner(tinker_scene_block_class(scene, hand->block), &number, property, &is_lower);
+}
+
+/* A hand that lets go and takes the same control again still brings the partner back to where it was at first, unless
+ * something else has set it since. */
+static void note_partner(TinkerHand *hand, gboolean same)
+{
+    int32_t property;
+    const int32_t column = partner_of(hand, &property);
+    const double now = column >= 0 ? tinker_scene_get(tinker_document_scene(hand->document), hand->block, column) : NAN;
+    if (same && now == hand->given) return;
+    hand->partner = hand->given = now;
 }
 
 static gboolean set_number(TinkerHand *hand, TinkerScene *scene, const TinkerNumber *number, GError **error)
@@ -72,6 +85,7 @@ static gboolean set_both(TinkerHand *hand, TinkerScene *scene, const TinkerNumbe
     const double before = tinker_scene_get(scene, hand->block, column);
     const double wanted = is_lower ? fmin(hand->partner, hand->value) : fmax(hand->partner, hand->value);
     const gboolean gives_way = is_lower ? wanted < before : wanted > before;
+    hand->given = wanted;
     if (gives_way && !tinker_history_set(history, hand->block, property, &wanted, error)) return FALSE;
     return set_number(hand, scene, number, error) &&
            (wanted == before || gives_way || tinker_history_set(history, hand->block, property, &wanted, error));
@@ -149,7 +163,7 @@ void tinker_hand_set(TinkerHand *hand, TinkerBlockId block, const char *name, do
         hand->name = g_strdup(name);
     }
     hand->block = block;
-    if (other || hand->begins) note_partner(hand);
+    if (other || hand->begins) note_partner(hand, !other);
     hand->begins = FALSE;
     hand->value = value;
     hand->waits = TRUE;
@@ -181,6 +195,16 @@ double tinker_hand_rate(TinkerHand *hand)
 const char *tinker_hand_problem(TinkerHand *hand)
 {
     return hand->problem;
+}
+
+gboolean tinker_hand_carried(TinkerHand *hand, TinkerBlockId block, const char *name, TinkerCarried *carried)
+{
+    if (block != hand->block || g_strcmp0(name, hand->name) != 0 || hand->waits) return FALSE;
+    const int32_t column = partner_of(hand, &carried->property);
+    if (column < 0) return FALSE;
+    carried->before = hand->partner;
+    carried->now = tinker_scene_get(tinker_document_scene(hand->document), block, column);
+    return carried->now == hand->given && carried->now != carried->before;
 }
 
 /* Another scene: what waits was for the last one. */

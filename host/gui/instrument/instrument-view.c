@@ -12,6 +12,7 @@
 #include "gui/instrument/value-entry.h"
 #include "gui/text/number-text.h"
 #include "gui/text/sentence.h"
+#include "gui/text/translate.h"
 #include "gui/widget/popup-menu.h"
 #include "gui/widget/unparent.h"
 #include "scene/store/quantities.h"
@@ -32,7 +33,7 @@ struct _TinkerInstrumentView {
     const char *unit;
     gboolean showing; /* changes of the parts are ours */
     GtkAdjustment *adjustment;
-    GtkWidget *bar, *title, *part, *value, *rate;
+    GtkWidget *bar, *title, *part, *value, *note;
     gint64 told; /* us: when a value was told last, */
     char *told_text;
 
@@ -75,19 +76,31 @@ static void show_text(TinkerInstrumentView *view, double si)
     tell(view, text);
 }
 
-/* How many runs a second there is time for, where these are so few that one sees it; or why there is none. What is
- * wrong with a number that was typed stays as long as that number does. */
-static void show_rate(TinkerInstrumentView *view)
+/* The second number that went along, and what it was, as "Static Friction goes along: 0.5 (was 0.3)"; or NULL. */
+static char *carried_text(TinkerInstrumentView *view)
+{
+    TinkerScene *scene = tinker_document_scene(view->document);
+    const TinkerBlockId block = tinker_scene_find_block(scene, view->shown->block);
+    TinkerCarried carried;
+    if (block == TINKER_NO_BLOCK || !tinker_hand_carried(view->hand, block, view->shown->of, &carried)) return NULL;
+    const TinkerPropertyType *type = &tinker_scene_block_class(scene, block)->properties[carried.property];
+    g_autofree char *now = tinker_number_short(carried.now, view->unit, DIGITS),
+                    *before = tinker_number_short(carried.before, view->unit, DIGITS);
+    return g_strdup_printf(_("%s goes along: %s (was %s)"), tinker_translate(type->title), now, before);
+}
+
+/* Why there is no run; what else was changed; or how many runs a second there is time for, where these are so few that
+ * one sees it. What is wrong with a number that was typed stays as long as that number does. */
+static void show_note(TinkerInstrumentView *view)
 {
     if (gtk_widget_has_css_class(view->value, "error")) return;
     const double rate = tinker_hand_rate(view->hand);
     const char *problem = tinker_hand_problem(view->hand);
     const gboolean slow = rate > 0 && rate < TINKER_HAND_RUNS;
-    g_autofree char *text = problem != NULL ? tinker_sentence(problem)
-                            : slow          ? g_strdup_printf(_("%.0f runs a second"), fmax(rate, 1))
-                                            : g_strdup("");
-    gtk_label_set_text(GTK_LABEL(view->rate), text);
-    gtk_widget_set_visible(view->rate, *text != '\0' && gtk_widget_has_css_class(GTK_WIDGET(view), "turned"));
+    g_autofree char *text = problem != NULL ? tinker_sentence(problem) : carried_text(view);
+    if (text == NULL) text = slow ? g_strdup_printf(_("%.0f runs a second"), fmax(rate, 1)) : g_strdup("");
+    gtk_label_set_text(GTK_LABEL(view->note), text);
+    gtk_widget_set_visible(view->note, *text != '\0' && gtk_widget_has_css_class(GTK_WIDGET(view), "turned"));
 }
 
 static void show_control(TinkerInstrumentView *view)
@@ -107,7 +120,7 @@ static void show_control(TinkerInstrumentView *view)
         gtk_label_set_text(GTK_LABEL(view->value), value != 0 ? _("On") : _("Off"));
     else
         show_text(view, value);
-    show_rate(view);
+    show_note(view);
 }
 
 /* Takes in what has been recorded since. */
@@ -203,8 +216,8 @@ static gboolean on_event(GtkEventControllerLegacy *controller, GdkEvent *event, 
 static void show_problem(TinkerInstrumentView *view, const char *problem)
 {
     g_autofree char *sentence = tinker_sentence(problem);
-    gtk_label_set_text(GTK_LABEL(view->rate), sentence);
-    gtk_widget_set_visible(view->rate, TRUE);
+    gtk_label_set_text(GTK_LABEL(view->note), sentence);
+    gtk_widget_set_visible(view->note, TRUE);
 }
 
 /* Exactly that number, and the range is widened where it has to be. */
@@ -288,15 +301,15 @@ static void add_parts(TinkerInstrumentView *view)
     view->value = is_number ? view->part : is_typed ? tinker_value_entry_new(take_typed, view) : gtk_label_new(NULL);
     gtk_widget_add_css_class(view->value, is_number ? "instrument-number" : "instrument-value");
     if (!is_number) gtk_widget_set_parent(view->value, GTK_WIDGET(view));
-    view->rate = g_object_new(GTK_TYPE_LABEL, "visible", FALSE, "wrap", TRUE, "max-width-chars", 24, NULL);
-    gtk_widget_add_css_class(view->rate, "dim-label");
-    gtk_widget_set_parent(view->rate, GTK_WIDGET(view));
+    view->note = g_object_new(GTK_TYPE_LABEL, "visible", FALSE, "wrap", TRUE, "max-width-chars", 24, NULL);
+    gtk_widget_add_css_class(view->note, "dim-label");
+    gtk_widget_set_parent(view->note, GTK_WIDGET(view));
     gtk_label_set_text(GTK_LABEL(view->title), title);
     gtk_widget_set_tooltip_text(view->title, title);
     if (!is_number)
         gtk_accessible_update_property(GTK_ACCESSIBLE(view->part), GTK_ACCESSIBLE_PROPERTY_LABEL, title, -1);
     g_autofree char *value_label = g_strdup_printf(_("Value of %s"), title);
-    if (is_typed) g_signal_connect_swapped(view->value, "notify::css-classes", G_CALLBACK(show_rate), view);
+    if (is_typed) g_signal_connect_swapped(view->value, "notify::css-classes", G_CALLBACK(show_note), view);
     if (is_typed)
         gtk_accessible_update_property(GTK_ACCESSIBLE(view->value), GTK_ACCESSIBLE_PROPERTY_LABEL, value_label, -1);
     g_autofree char *label =

@@ -115,6 +115,21 @@ def test_typed_value(display):
         check_equal(app.saved()["controls"][0]["to"], 250, "the end of the range")
 
 
+def test_what_goes_along_is_told(display):
+    """The static coefficient is no less than the dynamic one: it goes along and comes back, and both are said."""
+    control = {"block": "Floor", "property": "dynamic_friction", "from": 0, "to": 1, "step": 0.1, "kind": "slider",
+               "place": [-4.5, 2]}
+    with App(display, scene(support("Floor", 0, -2, static_friction=0.3, dynamic_friction=0.2), mass("Bob", 0, 1),
+                            controls=[control])) as app:
+        app.click(app.find("slider", re.compile("^Floor: ")))
+        app.press("Home", *["Right"] * 5)
+        app.find("label", re.compile("goes along: 0.5 .was 0.3.$"))
+        check_equal(app.blocks()["Floor"]["static_friction"], 0.5, "static friction in the file")
+        app.press(*["Left"] * 3)
+        wait(lambda: app.look("label", re.compile("goes along")) is None, "the words to go")
+        check_equal(app.blocks()["Floor"]["static_friction"], 0.3, "static friction, back")
+
+
 def test_what_is_wrong_with_a_typed_value_stays_while_it_plays(display):
     """As long as the number stands there, and no longer: Escape takes both away."""
     with App(display, {**oscillator(controls=[STIFFNESS]), "run": {"duration": 600, "interval": 0.01}}) as app:
