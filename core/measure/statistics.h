@@ -1,5 +1,6 @@
 /* Statistics of a curve over an interval. The curve is that through the samples, piece by piece a cubic with slopes
- * from five samples each (of fourth order in their spacing), not the samples themselves. */
+ * from five samples each (of fourth order in their spacing), not the samples themselves. At a kink, as a blow makes,
+ * the slopes are those of either side. */
 #ifndef TINKER_CORE_STATISTICS_H
 #define TINKER_CORE_STATISTICS_H
 
@@ -12,12 +13,22 @@ typedef struct {
     double value, error;
 } TinkerStatistic;
 
+/* Why a curve has no period, or no damping. */
+typedef enum {
+    TINKER_SWINGS_GOOD,      /* it has */
+    TINKER_SWINGS_TOO_FEW,   /* fewer than three extrema */
+    TINKER_SWINGS_UNEVEN,    /* whole swings differ in length by more than a tenth, as of a ball that bounces */
+    TINKER_SWINGS_OFF_SHARE, /* they do not shrink by the same share each time, as by dry friction or in a beat */
+    TINKER_SWINGS_COARSE     /* every second sample would not have told them */
+} TinkerSwings;
+
 typedef struct {
     TinkerStatistic mean, rms, least, greatest;
     TinkerStatistic amplitude; /* half of greatest less least */
     TinkerStatistic period;    /* s: twice the mean time from one extremum to the next; of three extrema at least */
     TinkerStatistic decrement; /* logarithmic, a period: of the ways from one extremum to the next, by least squares */
     TinkerStatistic damping;   /* ratio of critical damping, d / sqrt(4 pi^2 + d^2) */
+    TinkerSwings no_period, no_damping;
 } TinkerStatistics;
 
 /* Of a curve given by at least eight samples at rising times, from `from` to `to`, which lie within them. All values

@@ -108,10 +108,32 @@ static void test_not_known(void)
     g_assert_null(strstr(later, "without the error of the run"));
 }
 
+/* What bounces has no period, and the text tells why; it is never below the floor that it bounces on. */
+static void test_bounces(void)
+{
+    g_autoptr(GuiFixture) fixture = gui_fixture_new("");
+    gui_fixture_start_scene(fixture,
+                            "'run': {'duration': 5}, 'blocks': [{'type': 'gravity', 'name': 'G'}, {'type': 'support', "
+                            "'name': 'S', 'position': [0, -0.25], 'height': 0.5, 'restitution': 0.8}, {'type': 'mass', "
+                            "'name': 'M', 'height': 1, 'position': [0, 2.5]}], "
+                            "'graphs': [{'curves': [{'expression': '{M.y} - 0.5', 'title': 'gap'}]}]");
+    graph_fixture_run_until(fixture, 5);
+    g_autoptr(TinkerGraphData) data = graph_fixture_data(fixture);
+    g_autofree char *text = tinker_graph_statistics_text(data, NULL);
+    double least, error;
+    g_test_message("%s", text);
+    read_line(text, "Least", &least, &error);
+    g_assert_cmpfloat(fabs(least), <=, 2 * error);
+    g_assert_cmpfloat(error, <, 1e-4);
+    g_assert_nonnull(strstr(text, "Period: — (its swings do not take equally long)"));
+    g_assert_nonnull(strstr(text, "Damping ratio: — (its swings do not take equally long)"));
+}
+
 static void add_tests(void)
 {
     g_test_add_func("/gui/graph-statistics/error-of-run", test_error_of_run);
     g_test_add_func("/gui/graph-statistics/digits", test_digits);
+    g_test_add_func("/gui/graph-statistics/bounces", test_bounces);
     g_test_add_func("/gui/graph-statistics/not-known", test_not_known);
 }
 

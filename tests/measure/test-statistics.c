@@ -129,7 +129,73 @@ static void test_no_oscillation(void)
     check("least", s.least, -1, 1e-12);
     g_assert_true(isnan(s.period.value));
     g_assert_true(isnan(s.damping.value));
+    g_assert_cmpint(s.no_period, ==, TINKER_SWINGS_TOO_FEW);
     g_assert_false(tinker_statistics(times, values, 6, 0, 0.1, 0, &s));
+}
+
+/* Falls 2.05 m onto a floor at 0 that gives back e of the speed, again and again. */
+static double bounce(double t, double e)
+{
+    const double g = 9.81, speed = sqrt(2 * g * 2.05), fall = speed / g;
+    if (t < fall) return 2.05 - 0.5 * g * t * t;
+    double start = fall, up = e * speed;
+    while (t > start + 2 * up / g) {
+        start += 2 * up / g;
+        up *= e;
+    }
+    return up * (t - start) - 0.5 * g * (t - start) * (t - start);
+}
+
+static double bounce_for_ever(double t)
+{
+    return bounce(t, 1);
+}
+
+static double bounce_less(double t)
+{
+    return bounce(t, 0.8);
+}
+
+/* A kink is where both sides meet: the curve goes down to the floor, which no sample is on, and not below. */
+static void test_bounces(void)
+{
+    TinkerStatistics s;
+    fill(801, 8, bounce_for_ever);
+    g_assert_true(tinker_statistics(times, values, 801, 0, 8, 0, &s));
+    check("least", s.least, 0, 1e-12);
+    check("greatest", s.greatest, 2.05, 1e-12);
+    check("period", s.period, 2 * sqrt(2 * 2.05 / 9.81), 1e-12);
+    physics_assert_near("damping", s.damping.value, 0, 1e-12);
+}
+
+/* Each bounce is shorter than the one before: there is no period, and no damping of a swing. */
+static void test_uneven(void)
+{
+    TinkerStatistics s;
+    fill(501, 5, bounce_less);
+    g_assert_true(tinker_statistics(times, values, 501, 0, 5, 0, &s));
+    check("least", s.least, 0, 1e-12);
+    g_assert_true(isnan(s.period.value) && isnan(s.decrement.value) && isnan(s.damping.value));
+    g_assert_cmpint(s.no_period, ==, TINKER_SWINGS_UNEVEN);
+    g_assert_cmpint(s.no_damping, ==, TINKER_SWINGS_UNEVEN);
+}
+
+/* Dry friction takes the same away from each swing: half a swing of 1 s about 0.1, the next about -0.1. */
+static double rubbed(double t)
+{
+    const double half = floor(t), amplitude = 1.1 - 0.2 * half, side = fmod(half, 2) == 0 ? 1 : -1;
+    return side * (0.1 + (amplitude - 0.1) * cos(G_PI * (t - half)));
+}
+
+static void test_dry_friction(void)
+{
+    TinkerStatistics s;
+    fill(5001, 5, rubbed);
+    g_assert_true(tinker_statistics(times, values, 5001, 0, 5, 0, &s));
+    check("period", s.period, 2, 1e-9);
+    g_assert_true(isnan(s.decrement.value) && isnan(s.damping.value));
+    g_assert_cmpint(s.no_period, ==, TINKER_SWINGS_GOOD);
+    g_assert_cmpint(s.no_damping, ==, TINKER_SWINGS_OFF_SHARE);
 }
 
 int main(int argc, char **argv)
@@ -142,5 +208,8 @@ int main(int argc, char **argv)
     g_test_add_func("/measure/statistics/band", test_band);
     g_test_add_func("/measure/statistics/died-away", test_died_away);
     g_test_add_func("/measure/statistics/no-oscillation", test_no_oscillation);
+    g_test_add_func("/measure/statistics/bounces", test_bounces);
+    g_test_add_func("/measure/statistics/uneven", test_uneven);
+    g_test_add_func("/measure/statistics/dry-friction", test_dry_friction);
     return g_test_run();
 }

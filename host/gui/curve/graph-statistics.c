@@ -1,5 +1,4 @@
-/* A line a number, with how far it may be off; what is not defined, as the period of what does not swing, is left out.
- */
+/* A line a number, with how far it may be off; of what is not defined, as the period of what does not swing, why. */
 #include <glib/gi18n.h>
 #include <math.h>
 
@@ -20,9 +19,29 @@ static void append_value(GString *text, const TinkerStatistic *statistic)
     if (text->str[text->len - 1] == '.') g_string_truncate(text, text->len - 1);
 }
 
-static void add_line(GString *text, const char *name, const TinkerStatistic *statistic, const char *unit)
+static const char *why_none(TinkerSwings swings)
 {
-    if (!isfinite(statistic->value)) return;
+    switch (swings) {
+    case TINKER_SWINGS_TOO_FEW:
+        return _("it does not swing to and fro often enough");
+    case TINKER_SWINGS_UNEVEN:
+        return _("its swings do not take equally long");
+    case TINKER_SWINGS_OFF_SHARE:
+        return _("its swings do not shrink by the same share each time");
+    case TINKER_SWINGS_COARSE:
+        return _("too few samples in a swing");
+    default:
+        return "";
+    }
+}
+
+static void add_line(GString *text, const char *name, const TinkerStatistic *statistic, const char *unit,
+                     TinkerSwings swings)
+{
+    if (!isfinite(statistic->value)) {
+        g_string_append_printf(text, "%s: — (%s)\n", name, why_none(swings));
+        return;
+    }
     const char *gap = unit[0] != '\0' ? " " : "";
     g_string_append_printf(text, "%s = ", name);
     append_value(text, statistic);
@@ -49,18 +68,19 @@ static void add_curve(GString *text, const TinkerGraphData *data, guint curve, c
     const struct {
         const char *name, *unit;
         const TinkerStatistic *statistic;
-    } lines[] = {{_("Mean"), unit, &found.mean},
-                 {_("Root mean square"), unit, &found.rms},
-                 {_("Least"), unit, &found.least},
-                 {_("Greatest"), unit, &found.greatest},
-                 {_("Amplitude"), unit, &found.amplitude},
-                 {_("Period"), "s", &found.period},
-                 {_("Logarithmic decrement"), "", &found.decrement},
-                 {_("Damping ratio"), "", &found.damping}};
+        TinkerSwings swings;
+    } lines[] = {{_("Mean"), unit, &found.mean, TINKER_SWINGS_GOOD},
+                 {_("Root mean square"), unit, &found.rms, TINKER_SWINGS_GOOD},
+                 {_("Least"), unit, &found.least, TINKER_SWINGS_GOOD},
+                 {_("Greatest"), unit, &found.greatest, TINKER_SWINGS_GOOD},
+                 {_("Amplitude"), unit, &found.amplitude, TINKER_SWINGS_GOOD},
+                 {_("Period"), "s", &found.period, found.no_period},
+                 {_("Logarithmic decrement"), "", &found.decrement, found.no_damping},
+                 {_("Damping ratio"), "", &found.damping, found.no_damping}};
     g_string_append_printf(text, _("from %.5g to %.5g s"), from, to);
     g_string_append_c(text, '\n');
     for (gsize i = 0; i < G_N_ELEMENTS(lines); i++)
-        add_line(text, lines[i].name, lines[i].statistic, lines[i].unit);
+        add_line(text, lines[i].name, lines[i].statistic, lines[i].unit, lines[i].swings);
     if (!known) g_string_append_printf(text, "%s\n", _("without the error of the run, which is not known yet"));
     g_string_append_c(text, '\n');
 }

@@ -1,0 +1,145 @@
+/* Slopes are those of the polynomial through five samples about each. At a blow a curve has a kink: a polynomial across
+ * it would swing beyond the samples. There five samples are taken that hold no kink (as ENO schemes do: Harten,
+ * Engquist, Osher, Chakravarthy, J. Comput. Phys. 71, 1987); and where it is between two samples, both sides go on to
+ * where they meet:
+ *
+ *     o            o
+ *        o      o
+ *           o o          the samples
+ *            v           where both sides meet
+ */
+#include <math.h>
+
+#include "measure/statistics-private.h"
+
+#define POINTS     5
+#define ROUGH      0.02 /* fourth difference, of what five samples go through: 14 samples of a swing have less */
+#define BISECTIONS 60
+
+static double value_at(const TinkerCurveSamples *samples, gsize first, double time)
+{
+    const double *times = samples->times + first, *values = samples->values + first;
+    double sum = 0;
+    for (gsize j = 0; j < POINTS; j++) {
+        double share = values[j];
+        for (gsize k = 0; k < POINTS; k++)
+            if (k != j) share *= (time - times[k]) / (times[j] - times[k]);
+        sum += share;
+    }
+    return sum;
+}
+
+static double slope_at(const TinkerCurveSamples *samples, gsize first, double time)
+{
+    const double *times = samples->times + first, *values = samples->values + first;
+    double sum = 0;
+    for (gsize j = 0; j < POINTS; j++) {
+        for (gsize m = 0; m < POINTS; m++) {
+            if (m == j) continue;
+            double share = 1 / (times[j] - times[m]);
+            for (gsize k = 0; k < POINTS; k++)
+                if (k != j && k != m) share *= (time - times[k]) / (times[j] - times[k]);
+            sum += share * (values[j] - values[0]);
+        }
+    }
+    return sum;
+}
+
+/* The fourth difference of five samples: 0 of a cubic, whatever their distances; infinite where two are at one time. */
+static double fourth_difference(const TinkerCurveSamples *samples, gsize first)
+{
+    const double *times = samples->times + first, *values = samples->values + first;
+    double sum = 0;
+    for (gsize j = 0; j < POINTS; j++) {
+        double share = values[j];
+        for (gsize k = 0; k < POINTS; k++)
+            if (k != j) share /= times[j] - times[k];
+        sum += share;
+    }
+    const double size = fabs(24 * sum * pow((times[POINTS - 1] - times[0]) / (POINTS - 1), 4));
+    return isfinite(size) ? size : INFINITY;
+}
+
+static gboolean is_rough(const TinkerCurveSamples *samples, gsize first)
+{
+    const double *values = samples->values + first;
+    double least = values[0], greatest = values[0];
+    for (gsize i = 1; i < POINTS; i++) {
+        least = fmin(least, values[i]);
+        greatest = fmax(greatest, values[i]);
+    }
+    return fourth_difference(samples, first) > ROUGH * (greatest - least);
+}
+
+static gsize first_of(const TinkerCurveSamples *samples, gsize i, gsize before)
+{
+    return MIN(i > before ? i - before : 0, samples->count - POINTS);
+}
+
+static TinkerCurvePiece piece_of(double start, double end, double y0, double y1, double slope0, double slope1)
+{
+    const double h = end - start, m0 = h * slope0, m1 = h * slope1;
+    return (TinkerCurvePiece){start, h, y0, m0, 3 * (y1 - y0) - 2 * m0 - m1, 2 * (y0 - y1) + m0 + m1};
+}
+
+/* Where the polynomials of both sides meet between the samples i and i + 1; FALSE where they do not, as at a jump. */
+static gboolean find_kink(const TinkerCurveSamples *samples, gsize i, gsize left, gsize right, double *time)
+{
+    double low = samples->times[i], high = samples->times[i + 1];
+    const double first = value_at(samples, left, low) - value_at(samples, right, low);
+    if (!(first * (value_at(samples, left, high) - value_at(samples, right, high)) < 0)) return FALSE;
+    for (int k = 0; k < BISECTIONS; k++) {
+        *time = 0.5 * (low + high);
+        if ((value_at(samples, left, *time) - value_at(samples, right, *time)) * first > 0)
+            low = *time;
+        else
+            high = *time;
+    }
+    return *time > samples->times[i] && *time < samples->times[i + 1];
+}
+
+/* Straight from sample to sample, where neither side tells how the curve goes on, or both sides as far as they meet. */
+static guint rough_pieces(const TinkerCurveSamples *samples, gsize i, TinkerCurvePiece pieces[2])
+{
+    const double start = samples->times[i], end = samples->times[i + 1], y0 = samples->values[i],
+                 y1 = samples->values[i + 1], chord = (y1 - y0) / (end - start);
+    const gsize left = i + 1 - POINTS, right = i + 1;
+    double kink;
+    const gboolean knows =
+        i + 1 >= POINTS && right + POINTS <= samples->count && !is_rough(samples, left) && !is_rough(samples, right);
+    if (!knows || !find_kink(samples, i, left, right, &kink)) {
+        pieces[0] = piece_of(start, end, y0, y1, chord, chord);
+        return 1;
+    }
+    const double y = value_at(samples, left, kink);
+    pieces[0] = piece_of(start, kink, y0, y, slope_at(samples, left, start), slope_at(samples, left, kink));
+    pieces[1] = piece_of(kink, end, y, y1, slope_at(samples, right, kink), slope_at(samples, right, end));
+    return 2;
+}
+
+guint tinker_curve_pieces(const TinkerCurveSamples *samples, gsize i, TinkerCurvePiece pieces[2])
+{
+    gsize first = first_of(samples, i, 2), second = first_of(samples, i + 1, 2);
+    if (is_rough(samples, first) || is_rough(samples, second)) {
+        for (gsize back = 0; back <= 3; back++) {
+            const gsize tried = first_of(samples, i, back);
+            if (fourth_difference(samples, tried) < fourth_difference(samples, first)) first = tried;
+        }
+        second = first;
+        if (is_rough(samples, first)) return rough_pieces(samples, i, pieces);
+    }
+    const double start = samples->times[i], end = samples->times[i + 1];
+    pieces[0] = piece_of(start, end, samples->values[i], samples->values[i + 1], slope_at(samples, first, start),
+                         slope_at(samples, second, end));
+    return 1;
+}
+
+double tinker_curve_piece_value(const TinkerCurvePiece *piece, double s)
+{
+    return piece->a + s * (piece->b + s * (piece->c + s * piece->d));
+}
+
+double tinker_curve_piece_end_slope(const TinkerCurvePiece *piece)
+{
+    return (piece->b + 2 * piece->c + 3 * piece->d) / piece->width;
+}
