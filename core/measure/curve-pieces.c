@@ -8,11 +8,11 @@
  *           o o          the samples
  *            v           where both sides meet
  */
+#include "measure/curve-pieces.h"
+
 #include <math.h>
 
-#include "measure/statistics-private.h"
-
-#define POINTS     5
+#define POINTS     TINKER_CURVE_LEAST
 #define ROUGH      0.02 /* fourth difference, of what five samples go through: 14 samples of a swing have less */
 #define BISECTIONS 60
 
@@ -142,4 +142,17 @@ double tinker_curve_piece_value(const TinkerCurvePiece *piece, double s)
 double tinker_curve_piece_end_slope(const TinkerCurvePiece *piece)
 {
     return (piece->b + 2 * piece->c + 3 * piece->d) / piece->width;
+}
+
+/* 3 d s^2 + 2 c s + b = 0, in the form that loses no digits. */
+void tinker_curve_piece_level(const TinkerCurvePiece *piece, double s[2])
+{
+    const double under = piece->c * piece->c - 3 * piece->d * piece->b;
+    s[0] = s[1] = NAN;
+    if (under < 0) return;
+    const double q = -(piece->c + copysign(sqrt(under), piece->c));
+    const double roots[2] = {q != 0 ? piece->b / q : NAN, piece->d != 0 ? q / (3 * piece->d) : NAN};
+    const gboolean turned = roots[0] > roots[1];
+    s[0] = roots[turned];
+    s[1] = roots[!turned];
 }

@@ -3,11 +3,11 @@
 #include <float.h>
 #include <math.h>
 
+#include "measure/curve-pieces.h"
 #include "measure/statistics-private.h"
 
-#define LEAST_SAMPLES 5
-#define ROUNDING      (4 * DBL_EPSILON) /* of the largest value: of samples and sums */
-#define OF_VALUES     5                 /* mean, rms, least, greatest, amplitude */
+#define ROUNDING  (4 * DBL_EPSILON) /* of the largest value: of samples and sums */
+#define OF_VALUES 5                 /* mean, rms, least, greatest, amplitude */
 /* Of the whole range: smaller ways between two extrema are ripple of rounding. */
 #define RIPPLE 1e-9
 /* Of what the curve may be off by: smaller ways at both ends, as of a swing that has died away, tell nothing. */
@@ -45,16 +45,8 @@ static void add_piece(Sums *sums, const TinkerCurvePiece *piece, double from, do
     }
     note(sums, tinker_curve_piece_value(piece, from));
     note(sums, tinker_curve_piece_value(piece, to));
-    /* 3 d s^2 + 2 c s + b = 0, in the form that loses no digits */
-    const double under = piece->c * piece->c - 3 * piece->d * piece->b;
-    if (under < 0) return;
-    const double q = -(piece->c + copysign(sqrt(under), piece->c));
-    double roots[2] = {q != 0 ? piece->b / q : NAN, piece->d != 0 ? q / (3 * piece->d) : NAN};
-    if (roots[0] > roots[1]) {
-        const double later = roots[0];
-        roots[0] = roots[1];
-        roots[1] = later;
-    }
+    double roots[2];
+    tinker_curve_piece_level(piece, roots);
     for (int k = 0; k < 2; k++) {
         if (!(roots[k] > from && roots[k] <= to)) continue;
         const double extremum[2] = {piece->start + roots[k] * piece->width, tinker_curve_piece_value(piece, roots[k])};
@@ -157,7 +149,7 @@ static void forget_untold(TinkerStatistics *found)
 gboolean tinker_statistics(const double *times, const double *values, gsize count, double from, double to, double band,
                            TinkerStatistics *statistics)
 {
-    if (count / 2 + 1 < LEAST_SAMPLES || !(to > from)) return FALSE;
+    if (count / 2 + 1 < TINKER_CURVE_LEAST || !(to > from)) return FALSE;
     g_autofree double *half_times = thin(times, count), *half_values = thin(values, count);
     const TinkerCurveSamples fine = {times, values, count}, coarse = {half_times, half_values, count / 2 + 1};
     *statistics = measure(&fine, from, to, band);

@@ -1,11 +1,13 @@
 /* What a graph of the window shows and exports: its values against closed forms and the published table of a free fall.
  */
 #include <glib/gstdio.h>
+#include <math.h>
 #include <string.h>
 #include <unistd.h>
 
 #include "graph-fixture.h"
 #include "gui/curve/graph-edit.h"
+#include "gui/curve/graph-reading.h"
 #include "render/draw/theme.h"
 
 /* The file that the menu exports, as far as the first ten steps. */
@@ -86,6 +88,48 @@ static void test_spectrum(void)
     tinker_document_undo(fixture->document);
     g_autofree char *undone = gui_fixture_text(fixture);
     g_assert_cmpstr(undone, ==, before);
+}
+
+/* Between two samples the graph, a meter and the body on the canvas say the same: what lies straight between them. */
+static void test_now_is_where_the_body_is(void)
+{
+    g_autoptr(GuiFixture) fixture = graph_fixture_fall("SI", "{'block': 'Mass 0', 'quantity': 'y'}");
+    graph_fixture_run_until(fixture, 0.5);
+    g_autoptr(TinkerGraphData) data = graph_fixture_data(fixture);
+    const TinkerBlockId mass = gui_fixture_block(fixture, "Mass 0");
+    TinkerScene *scene = tinker_document_scene(fixture->document);
+    tinker_player_seek(fixture->player, 0.3025);
+    tinker_graph_data_catch_up(data);
+    const double truth = -GRAVITY / 2 * (0.75 * 0.3 * 0.3 + 0.25 * 0.31 * 0.31);
+    double now[2], metered, x, y, orientation;
+    g_assert_true(tinker_graph_data_now(data, 0, now));
+    g_assert_cmpfloat_with_epsilon(now[0], 0.3025, 1e-12);
+    g_assert_cmpfloat_with_epsilon(now[1], truth, 1e-9);
+    g_assert_true(tinker_player_value(fixture->player, mass, tinker_scene_find_quantity(scene, mass, "y"), &metered));
+    g_assert_cmpfloat_with_epsilon(metered, truth, 1e-9);
+    tinker_frame_centre(tinker_player_frame(fixture->player), mass, &x, &y, &orientation);
+    g_assert_cmpfloat_with_epsilon(y, truth, 1e-9);
+    g_autofree char *text = tinker_graph_data_present_text(data);
+    g_assert_cmpstr(text, ==, "t = 0.3025 s, y = −0.44893 m");
+}
+
+/* A ball that falls 0.4 m onto a floor turns back there, after sqrt(2 h / g), whatever the samples. */
+static void test_reading_of_a_kink(void)
+{
+    g_autoptr(GuiFixture) fixture = gui_fixture_new("");
+    gui_fixture_start_scene(
+        fixture,
+        "'run': {'duration': 0.5}, 'blocks': [{'type': 'gravity', 'name': 'G'}, {'type': 'support', 'name': "
+        "'S', 'position': [0, -0.25], 'height': 0.5, 'restitution': 0.8}, {'type': 'mass', 'name': 'M', 'height': 1, "
+        "'position': [0, 0.9]}], 'graphs': [{'block': 'M', 'quantity': 'y'}]");
+    graph_fixture_run_until(fixture, 0.5);
+    g_autoptr(TinkerGraphData) data = graph_fixture_data(fixture);
+    TinkerGraphReading reading = {0};
+    tinker_graph_data_catch_up(data);
+    g_assert_true(tinker_graph_reading_next(tinker_graph_data_curve(data, 0), 0.05, TRUE, &reading));
+    g_assert_cmpint(reading.kind, ==, TINKER_READING_MINIMUM);
+    g_assert_cmpfloat_with_epsilon(reading.at[0], sqrt(2 * 0.4 / GRAVITY), 1e-9);
+    g_assert_cmpfloat_with_epsilon(reading.at[1], 0.5, 1e-9);
 }
 
 /* v^2 = -2 g y all along the fall, whatever the time. */
@@ -197,6 +241,8 @@ static void test_generations(void)
 
 static void add_tests(void)
 {
+    g_test_add_func("/gui/graph-data/now", test_now_is_where_the_body_is);
+    g_test_add_func("/gui/graph-data/kink", test_reading_of_a_kink);
     g_test_add_func("/gui/graph-data/published-table", test_published_table);
     g_test_add_func("/gui/graph-data/scene-stays", test_scene_stays);
     g_test_add_func("/gui/graph-data/phase-plot", test_phase_plot);

@@ -54,21 +54,6 @@ static void add_curve(TinkerGraphData *data, guint number, gboolean thin)
     g_array_append_val(data->curves, curve);
 }
 
-/* The present point of a phase plot, straight between two samples; over time the cursor marks it. */
-static void find_present(const TinkerGraphData *data, guint number, double now[2])
-{
-    const TinkerGraphSeries *series = graph_line(data, number)->series;
-    gsize point;
-    now[0] = now[1] = NAN;
-    if (!tinker_graph_series_find(series, data->time, &point)) return;
-    const double *times = tinker_graph_series_times(series), *x = tinker_graph_series_x(series),
-                 *y = tinker_graph_series_y(series);
-    const gsize next = MIN(point + 1, tinker_graph_series_count(series) - 1);
-    const double span = times[next] - times[point], share = span > 0 ? fmin((data->time - times[point]) / span, 1) : 0;
-    now[0] = x[point] + share * (x[next] - x[point]);
-    now[1] = y[point] + share * (y[next] - y[point]);
-}
-
 static void add_present(TinkerGraphData *data, TinkerPlot *plot)
 {
     if (data->over_time) {
@@ -79,7 +64,7 @@ static void add_present(TinkerGraphData *data, TinkerPlot *plot)
     g_array_set_size(data->now, 2 * data->lines->len);
     for (guint i = 0; i < data->lines->len; i++) {
         double *now = &g_array_index(data->now, double, 2 * i);
-        find_present(data, i, now);
+        if (!tinker_graph_data_now(data, i, now)) now[0] = now[1] = NAN;
         const TinkerCurve ring = {.x = now,
                                   .y = now + 1,
                                   .count = 1,

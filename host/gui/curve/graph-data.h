@@ -86,6 +86,14 @@ char *tinker_graph_value_text(const char *name, double value, const char *unit);
  * there is none. */
 gboolean tinker_graph_data_present(const TinkerGraphData *data, guint curve, gsize *point);
 
+/* The place of a curve at the present time, in displayed units: straight between two points, as the canvas has the
+ * bodies between two samples. FALSE where there is none, and of a spectrum. */
+gboolean tinker_graph_data_now(const TinkerGraphData *data, guint curve, double now[2]);
+
+/* What its own curves are at the present time, of a spectrum at their peaks, in one line: "t = 1.25 s, y = −0.12 m";
+ * NULL before a run. (transfer full) */
+char *tinker_graph_data_present_text(const TinkerGraphData *data);
+
 /* Whether a file is free for what is exported: not the scene's own, nor one that it reads. */
 gboolean tinker_graph_data_check_output(const TinkerGraphData *data, const char *path, GError **error);
 

@@ -1,10 +1,12 @@
-/* A sample hits neither an extremum nor a zero: the curve is taken for smooth across a few of its points. */
+/* A sample hits neither an extremum nor a zero: the curve is taken for smooth across a few of its points, but where it
+ * has a kink. */
 #include "gui/curve/graph-reading.h"
 
 #include <glib/gi18n.h>
 #include <math.h>
 
 #include "gui/curve/graph-data.h"
+#include "measure/curve-pieces.h"
 
 #define BISECTIONS 60
 #define SAME_TIME  1e-9 /* of the time: nearer to it is not the next */
@@ -29,6 +31,37 @@ static double interpolated(const double *x, const double *y, int count, double a
     return sum;
 }
 
+/* Of the parabola through three points. Slopes of the two chords; its slope is 0 where the line through them at their
+ * middles is. */
+static void find_vertex(const double x[3], const double y[3], double place[2])
+{
+    const double before = (y[1] - y[0]) / (x[1] - x[0]), after = (y[2] - y[1]) / (x[2] - x[1]);
+    place[0] = CLAMP(0.5 * (x[0] + x[1]) + before / (before - after) * 0.5 * (x[2] - x[0]), x[0], x[2]);
+    place[1] = interpolated(x, y, 3, place[0]);
+}
+
+/* The farthest that the curve goes to one side (1: up, -1: down) between the neighbours of a point. */
+static void find_turn(const TinkerCurveSamples *samples, gsize point, double side, double place[2])
+{
+    place[0] = samples->times[point];
+    place[1] = samples->values[point];
+    for (gsize i = point - 1; i <= point; i++) {
+        TinkerCurvePiece pieces[2];
+        const guint count = tinker_curve_pieces(samples, i, pieces);
+        for (guint k = 0; k < count; k++) {
+            double level[3] = {0};
+            tinker_curve_piece_level(&pieces[k], level + 1);
+            for (int n = 0; n < 3; n++) {
+                if (!(level[n] >= 0 && level[n] <= 1)) continue;
+                const double value = tinker_curve_piece_value(&pieces[k], level[n]);
+                if (!(side * value > side * place[1])) continue;
+                place[0] = pieces[k].start + level[n] * pieces[k].width;
+                place[1] = value;
+            }
+        }
+    }
+}
+
 static gboolean extremum_about(const double *x, const double *y, gsize count, gsize point, TinkerGraphReading *reading)
 {
     if (point == 0 || point + 1 >= count) return FALSE;
@@ -36,11 +69,11 @@ static gboolean extremum_about(const double *x, const double *y, gsize count, gs
     const gboolean highest = values[1] > values[0] && values[1] >= values[2],
                    lowest = values[1] < values[0] && values[1] <= values[2];
     if (!(highest || lowest) || !(at[0] < at[1]) || !(at[1] < at[2])) return FALSE;
-    /* slopes of the two chords; the parabola's slope is 0 where the line through them at their middles is */
-    const double before = (values[1] - values[0]) / (at[1] - at[0]), after = (values[2] - values[1]) / (at[2] - at[1]);
-    const double middle = 0.5 * (at[0] + at[1]);
-    reading->at[0] = CLAMP(middle + before / (before - after) * 0.5 * (at[2] - at[0]), at[0], at[2]);
-    reading->at[1] = interpolated(at, values, 3, reading->at[0]);
+    const TinkerCurveSamples samples = {x, y, count};
+    if (count >= TINKER_CURVE_LEAST)
+        find_turn(&samples, point, highest ? 1 : -1, reading->at);
+    else
+        find_vertex(at, values, reading->at);
     reading->kind = highest ? TINKER_READING_MAXIMUM : TINKER_READING_MINIMUM;
     return TRUE;
 }
@@ -68,8 +101,9 @@ static gboolean zero_about(const double *x, const double *y, gsize count, gsize 
     return TRUE;
 }
 
-/* The extremum or zero about a point, if there is one between its two neighbours: an extremum by the parabola through
- * the three points, a zero by the cubic through four. Not of a curve whose x turns back. */
+/* The extremum or zero about a point, if there is one between its two neighbours: an extremum of the curve that
+ * statistics are of, or of few points by the parabola through three, a zero by the cubic through four. Not of a curve
+ * whose x turns back. */
 static gboolean reading_about(const TinkerGraphSeries *series, gsize point, TinkerGraphReading *reading)
 {
     const double *x = tinker_graph_series_x(series), *y = tinker_graph_series_y(series);

@@ -66,7 +66,7 @@ gboolean tinker_player_value(TinkerPlayer *player, TinkerBlockId block, int32_t 
     gsize row;
     if (segment == NULL || !tinker_run_task_find(segment->task, player->time, &row)) return FALSE;
     int column = tinker_run_task_column(segment->task, (TinkerQuantity){block, quantity});
-    return column >= 0 && tinker_run_task_value(segment->task, row, column, value);
+    return column >= 0 && tinker_run_task_value(segment->task, row, column, player->time, value);
 }
 
 gboolean tinker_player_status(TinkerPlayer *player, TinkerRunStatus *status)

@@ -94,10 +94,18 @@ guint tinker_recording_generation(TinkerRecording *recording)
 /* Frames --------------------------------------------------------------------------------------------------------------
  */
 
+/* How far it turned from one sample to the next: of all whole turns more or less, what its rates make of the time. */
+static double turn_between(const TinkerBodySample *a, const TinkerBodySample *b, double time)
+{
+    const double turn = b->orientation - a->orientation, by_rate = 0.5 * (a->rate + b->rate) * time;
+    return isfinite(by_rate) ? turn + 2 * G_PI * round((by_rate - turn) / (2 * G_PI)) : turn;
+}
+
 static void place_body(TinkerFrame *frame, TinkerBlockId block, const TinkerBodySample *a, const TinkerBodySample *b,
-                       double share)
+                       double share, double time)
 {
     double orientation = a->orientation;
+    if (share > 0 && isfinite(b->orientation)) orientation += share * turn_between(a, b, time);
     if (isnan(orientation)) orientation = tinker_frame_meaning(frame, block, TINKER_MEANING_ORIENTATION, 0, 0);
     tinker_frame_place(frame, block, a->x + share * (b->x - a->x), a->y + share * (b->y - a->y), orientation);
 }
@@ -111,7 +119,7 @@ static gboolean place_between(TinkerFrame *frame, TinkerRunTask *task, gsize row
     g_autofree TinkerBodySample *samples = g_new(TinkerBodySample, 2 * (gsize)count + 1);
     g_autofree double *lengths = g_new(double, 2 * (gsize)wound_count + 1);
     TinkerBodySample *a = samples, *b = samples + count;
-    double before, after, share = 0;
+    double before, after = 0, share = 0;
     if (!tinker_run_task_read(task, row, &before, a, lengths)) return FALSE;
     if (time == NULL && !tinker_frame_set_time(frame, before, NULL)) return FALSE;
     const gboolean between = time != NULL && *time > before &&
@@ -120,7 +128,7 @@ static gboolean place_between(TinkerFrame *frame, TinkerRunTask *task, gsize row
     TinkerScene *scene = tinker_frame_scene(frame);
     for (int i = 0; i < count; i++)
         if (tinker_scene_has_block(scene, bodies[i]))
-            place_body(frame, bodies[i], &a[i], between ? &b[i] : &a[i], share);
+            place_body(frame, bodies[i], &a[i], between ? &b[i] : &a[i], share, after - before);
     for (int i = 0; i < wound_count; i++) {
         const double change = between ? share * (lengths[wound_count + i] - lengths[i]) : 0;
         tinker_frame_set_length(frame, wound[i], lengths[i] + change);

@@ -194,12 +194,16 @@ gboolean tinker_run_task_read(TinkerRunTask *task, gsize row, double *time, Tink
     return TRUE;
 }
 
-gboolean tinker_run_task_value(TinkerRunTask *task, gsize row, int column, double *value)
+gboolean tinker_run_task_value(TinkerRunTask *task, gsize row, int column, double time, double *value)
 {
-    gsize width = run_task_row_width(task);
-    g_autofree double *numbers = g_new(double, width);
+    const gsize width = run_task_row_width(task), place = width - task->columns->len + (gsize)column;
+    g_autofree double *numbers = g_new(double, 2 * width);
     if (!read_rows(task, row, 1, numbers)) return FALSE;
-    *value = numbers[width - task->columns->len + (gsize)column];
+    *value = numbers[place];
+    if (!(time > numbers[0]) || !read_rows(task, row + 1, 1, numbers + width) || !(numbers[width] > numbers[0]))
+        return TRUE;
+    const double share = fmin((time - numbers[0]) / (numbers[width] - numbers[0]), 1);
+    *value += share * (numbers[width + place] - *value);
     return TRUE;
 }
 

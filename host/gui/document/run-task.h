@@ -80,8 +80,9 @@ int tinker_run_task_column(TinkerRunTask *task, TinkerQuantity quantity);
 /* Reads one sample: its time, the bodies' states, and (where it is not NULL) how long (m) is what is wound. */
 gboolean tinker_run_task_read(TinkerRunTask *task, gsize row, double *time, TinkerBodySample *bodies, double *lengths);
 
-/* The value of one column in one sample. */
-gboolean tinker_run_task_value(TinkerRunTask *task, gsize row, int column, double *value);
+/* Column of a row, or straight between it and the next one at a time after it, as bodies are placed. FALSE where there
+ * is no such row. */
+gboolean tinker_run_task_value(TinkerRunTask *task, gsize row, int column, double time, double *value);
 
 /* How far a column may be off until a time (s), by the companion, in the column's unit: what is known is known of a few
  * times in a run, and grows from each to the next. FALSE where it is not known, or not yet. */

@@ -141,15 +141,12 @@ static GdkModifierType modifiers_of(gpointer controller)
     return gtk_event_controller_get_current_event_state(controller);
 }
 
-/* The curve under the pointer, else the first one at its time. */
-static gboolean read_for_cursor(TinkerGraphPlot *plot, double x, double y, TinkerGraphReading *reading)
+/* The point of a curve that is not over time, under the pointer. */
+static gboolean read_for_time(TinkerGraphPlot *plot, double x, double y, TinkerGraphReading *reading)
 {
     TinkerPlot picture = {.memory = plot->memory};
     tinker_graph_plot_fill(plot, &picture);
-    return tinker_graph_plot_read(plot, &picture, x, y, reading) ||
-           (tinker_graph_data_curves(plot->data) > 0 &&
-            tinker_graph_reading_at(tinker_graph_data_curve(plot->data, 0),
-                                    tinker_plot_scale_value(&plot->geometry.x, x), reading));
+    return tinker_graph_plot_read(plot, &picture, x, y, reading);
 }
 
 static void clicked(TinkerGraphPlot *plot, double x, double y, GdkModifierType modifiers)
@@ -158,10 +155,10 @@ static void clicked(TinkerGraphPlot *plot, double x, double y, GdkModifierType m
     TinkerGraphReading reading = {0};
     if (x < at->left || x > at->right || y < at->top || y > at->bottom) return;
     if (modifiers & GDK_CONTROL_MASK) {
-        if (is_measured(plot) && read_for_cursor(plot, x, y, &reading)) put_cursor(plot, &reading);
+        if (is_measured(plot) && tinker_graph_plot_read_place(plot, x, y, &reading)) put_cursor(plot, &reading);
     } else if (is_over_time(plot)) {
         if (!tinker_graph_data_is_empty(plot->data)) go_to(plot, tinker_plot_scale_value(&at->x, x));
-    } else if (!is_measured(plot) && read_for_cursor(plot, x, y, &reading)) {
+    } else if (!is_measured(plot) && read_for_time(plot, x, y, &reading)) {
         go_to(plot, tinker_graph_series_times(tinker_graph_data_curve(plot->data, reading.curve))[reading.point]);
     }
 }

@@ -3,7 +3,7 @@
 
 #include "gui/graph/graph-plot-private.h"
 
-#define SNAP           12.0 /* widget units: how near to a maximum, minimum or zero it is that which is read */
+#define SNAP           16.0 /* widget units: how near to a maximum, minimum or zero it is that which is read */
 #define COMPACT_WIDTH  700  /* widget units: below either, texts are smaller */
 #define COMPACT_HEIGHT 420
 #define A_CLICK        5.0  /* widget units: a press that moved no farther is one */
@@ -42,6 +42,29 @@ gboolean tinker_graph_plot_read(TinkerGraphPlot *plot, const TinkerPlot *picture
     reading->at[0] = tinker_graph_series_x(series)[reading->point];
     reading->at[1] = tinker_graph_series_y(series)[reading->point];
     return TRUE;
+}
+
+gboolean tinker_graph_plot_read_place(TinkerGraphPlot *plot, double x, double y, TinkerGraphReading *reading)
+{
+    const TinkerPlotGeometry *at = &plot->geometry;
+    double nearest = SNAP, aside = INFINITY;
+    gboolean snaps = FALSE;
+    for (guint i = 0; i < tinker_graph_data_curves(plot->data); i++) {
+        const TinkerGraphSeries *series = tinker_graph_data_curve(plot->data, i);
+        const TinkerPlotScale *up = tinker_graph_series_is_right(series) ? &at->second : &at->y;
+        TinkerGraphReading tried = {.curve = i};
+        if (tinker_graph_reading_snap(series, at, x, y, nearest, &tried)) {
+            nearest =
+                hypot(tinker_plot_scale_place(&at->x, tried.at[0]) - x, tinker_plot_scale_place(up, tried.at[1]) - y);
+            *reading = tried;
+            snaps = TRUE;
+        } else if (!snaps && tinker_graph_reading_at(series, tinker_plot_scale_value(&at->x, x), &tried) &&
+                   fabs(tinker_plot_scale_place(up, tried.at[1]) - y) < aside) {
+            aside = fabs(tinker_plot_scale_place(up, tried.at[1]) - y);
+            *reading = tried;
+        }
+    }
+    return snaps || isfinite(aside);
 }
 
 TinkerGraphAxes tinker_graph_box_axes(const TinkerGraphPlot *plot)

@@ -45,6 +45,9 @@ void tinker_graph_plot_fill(TinkerGraphPlot *plot, TinkerPlot *picture);
 /* What the pointer reads: the nearest curve's maximum, minimum or zero, or its point. */
 gboolean tinker_graph_plot_read(TinkerGraphPlot *plot, const TinkerPlot *picture, double x, double y,
                                 TinkerGraphReading *reading);
+/* What a cursor is put on that is set there: the nearest extremum or zero of any curve if it is near, else the curve
+ * that passes nearest above or below, at the pointer's place across. FALSE where no curve is. */
+gboolean tinker_graph_plot_read_place(TinkerGraphPlot *plot, double x, double y, TinkerGraphReading *reading);
 
 /* The axes that the box which is dragged is of; 0: it is none yet. */
 TinkerGraphAxes tinker_graph_box_axes(const TinkerGraphPlot *plot);

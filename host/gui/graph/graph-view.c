@@ -75,18 +75,9 @@ gboolean tinker_graph_view_fits(TinkerGraphView *view, const TinkerSceneGraph *g
 /* Tells assistive technologies what the graph shows now. */
 static void tell_value(TinkerGraphView *view)
 {
-    gsize point;
     TinkerGraphData *data = tinker_graph_view_data(view);
-    g_autofree char *text = NULL;
     tinker_graph_data_update(data);
-    if (tinker_graph_data_present(data, 0, &point)) {
-        text = tinker_graph_data_x_text(data, 0, point);
-        for (guint i = 0; i < tinker_graph_data_own_curves(data); i++) {
-            if (!tinker_graph_data_present(data, i, &point)) continue;
-            g_autofree char *before = g_steal_pointer(&text), *y = tinker_graph_data_y_text(data, i, point);
-            text = g_strdup_printf("%s, %s", before, y);
-        }
-    }
+    g_autofree char *text = tinker_graph_data_present_text(data);
     g_autofree char *zoom = tinker_graph_plot_zoom_text(TINKER_GRAPH_PLOT(view->plot));
     g_autofree char *cursors = tinker_graph_plot_cursor_text(TINKER_GRAPH_PLOT(view->plot));
     const char *const more[] = {zoom, cursors};

@@ -124,6 +124,32 @@ def test_two_cursors_by_mouse(display):
         check_close(rate, 1 / interval, 1e-4 * rate, "1/Δt (Hz)")
 
 
+def test_cursor_takes_what_is_pointed_at(display):
+    """Near the top of one of two curves it is that; elsewhere the curve that is nearer, whichever is the first."""
+    graphs = {"curves": [{"block": "Ball", "quantity": "y"}, {"expression": "{Ball.y} - 10", "unit": "m", "title": "lower"}]}
+    with App(display, thrown(graphs)) as app:
+        run(app)
+        node = graph(app)
+        left, top, right, bottom = plot_box(app, node)
+
+        def cursor(x, y):
+            before = node.refreshed().description
+            app._click_at(x, y, keys=("ctrl",))
+            wait(lambda: node.refreshed().description != before, "a cursor")
+            found = re.search(r"A: t = (\S+) s, y = (\S+) m", node.description)
+            app.press("shift+c")
+            wait(lambda: "A: " not in node.refreshed().description, "it to go")
+            return tuple(float(number.replace("−", "-")) for number in found.groups())
+
+        x = left + 0.7 * (right - left)
+        time, height = cursor(x, bottom - 15)
+        check_close(height, 9.81 * time - 9.81 / 2 * time ** 2 - 10, 2e-3, "the lower curve (m)")
+        start, _ = cursor(left + 0.2 * (right - left), bottom - 15)
+        summit = x + (1 - time) * 0.5 * (right - left) / (time - start)
+        found = [cursor(summit + aside, top + down) for aside in (-9, 9) for down in (-2, 5, 12)]
+        check(found.count((1, 4.905)) >= 2, f"{found}: the top where it is pointed at, a little beside it")
+
+
 def test_statistics(display):
     """Of the throw: the mean height of the first 2 s is 2/3 of the greatest; over all 2.5 s that of the parabola there."""
     with App(display, thrown(HEIGHT)) as app:
