@@ -9,14 +9,16 @@
 typedef struct {
     GString *text;
     int count;
+    gboolean only_before; /* what it was, and not what it became */
 } Changes;
 
 static void add(Changes *changes, const char *what, double before, double after, const char *unit)
 {
     if (before == after || (isnan(before) && isnan(after))) return;
     if (changes->count++ >= MOST) return;
-    g_string_append_printf(changes->text, "%s%s %.6g → %.6g%s%s", changes->count > 1 ? ", " : "", what, before, after,
-                           unit[0] != '\0' ? " " : "", unit);
+    g_string_append_printf(changes->text, "%s%s %.6g", changes->count > 1 ? ", " : "", what, before);
+    if (!changes->only_before) g_string_append_printf(changes->text, " → %.6g", after);
+    g_string_append_printf(changes->text, "%s%s", unit[0] != '\0' ? " " : "", unit);
 }
 
 static void add_property(Changes *changes, TinkerScene *scenes[2], const TinkerBlockId blocks[2],
@@ -42,11 +44,11 @@ static void add_property(Changes *changes, TinkerScene *scenes[2], const TinkerB
     }
 }
 
-char *tinker_scene_changes(TinkerScene *before, TinkerScene *after)
+static char *list_changes(TinkerScene *before, TinkerScene *after, gboolean only_before)
 {
     TinkerScene *scenes[2] = {before, after};
     g_autoptr(GString) text = g_string_new(NULL);
-    Changes changes = {text, 0};
+    Changes changes = {text, 0, only_before};
     for (int32_t place = 0; place < tinker_scene_block_count(before); place++) {
         const TinkerBlockId block = tinker_scene_block_at(before, place);
         const TinkerBlockClass *block_class = tinker_scene_block_class(before, block);
@@ -63,4 +65,14 @@ char *tinker_scene_changes(TinkerScene *before, TinkerScene *after)
     add(&changes, "accuracy", a->accuracy, b->accuracy, "");
     if (changes.count > MOST) g_string_append_printf(text, ", and %d more", changes.count - MOST);
     return changes.count > 0 ? g_strdup(text->str) : NULL;
+}
+
+char *tinker_scene_changes(TinkerScene *before, TinkerScene *after)
+{
+    return list_changes(before, after, FALSE);
+}
+
+char *tinker_scene_values_changed(TinkerScene *before, TinkerScene *after)
+{
+    return list_changes(before, after, TRUE);
 }

@@ -8,4 +8,7 @@
  * how many there are besides. NULL where these do not differ. (transfer full) */
 char *tinker_scene_changes(TinkerScene *before, TinkerScene *after);
 
+/* "Spring 0: K 25 N/m": of the same, what they were in the first. NULL where these do not differ. (transfer full) */
+char *tinker_scene_values_changed(TinkerScene *before, TinkerScene *after);
+
 #endif

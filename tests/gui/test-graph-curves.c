@@ -106,7 +106,7 @@ static void test_kept_runs(void)
                                 g_ptr_array_index(tinker_scene_graphs(tinker_document_scene(fixture->document)), 0));
     tinker_graph_data_fill_plot(data, &plot);
     g_assert_cmpstr(plot.curves[0].label, ==, "Mass 0: Vy 1 → 2 m/s");
-    g_assert_cmpstr(plot.curves[1].label, ==, "Run 1");
+    g_assert_cmpstr(plot.curves[1].label, ==, "Mass 0: Vy 0 m/s");
     g_assert_cmpstr(plot.curves[2].label, ==, "Mass 0: Vy 0 → 1 m/s");
     g_assert_cmpint(plot.curves[1].colour, !=, plot.curves[2].colour);
     const int colour = plot.curves[2].colour;
@@ -120,7 +120,7 @@ static void test_kept_runs(void)
     tinker_kept_runs_rename(kept, 1, "thrown");
     g_assert_true(tinker_graph_data_write_csv(data, path, 5, NULL));
     g_assert_true(g_file_get_contents(path, &text, NULL, NULL));
-    g_assert_true(g_str_has_prefix(text, "Time,Y Position,Time,Mass 0.y (Run 1),Time,Mass 0.y (thrown)\n"));
+    g_assert_true(g_str_has_prefix(text, "Time,Y Position,Time,Mass 0.y (Mass 0: Vy 0 m/s),Time,Mass 0.y (thrown)\n"));
     g_remove(path);
 
     tinker_kept_runs_show(kept, 0, FALSE);

@@ -33,7 +33,8 @@ static double widest_label(TinkerPlotLayout *layout, double limit)
     for (int i = 0; i < layout->plot->curve_count; i++) {
         if (!label_of(layout, i)) continue;
         double width, height;
-        TinkerText text = {.text = label_of(layout, i), .size = layout->sizes->tick_text, .limit = limit};
+        TinkerText text = {
+            .text = label_of(layout, i), .size = layout->sizes->tick_text, .limit = limit, .keeps_end = TRUE};
         tinker_text_measure(layout->pen, &text, &width, &height);
         widest = fmax(widest, width);
     }
@@ -141,7 +142,11 @@ static void draw_entry(cairo_t *cairo, const TinkerPlotLayout *layout, int curve
 static void draw_label(cairo_t *cairo, const TinkerPlotLayout *layout, const char *label, double x, double y)
 {
     const double *c = layout->theme->colours[TINKER_COLOUR_TEXT];
-    TinkerText text = {.text = label, .size = layout->sizes->tick_text, .limit = layout->legend.limit, .anchor_y = 0.5};
+    TinkerText text = {.text = label,
+                       .size = layout->sizes->tick_text,
+                       .limit = layout->legend.limit,
+                       .keeps_end = TRUE,
+                       .anchor_y = 0.5};
     cairo_set_source_rgba(cairo, c[0], c[1], c[2], c[3]);
     tinker_text_draw(layout->pen, cairo, &text, x + layout->sizes->legend_sample + INNER, y);
 }

@@ -109,7 +109,9 @@ void graph_data_renew_texts(TinkerGraphData *data)
         if (data->lines->len > data->own && !tinker_graph_series_is_table(line->series)) {
             /* several runs of one curve are told apart by the run alone */
             g_autofree char *plain = line->name;
-            const char *run = line->run != NULL ? line->run->name : now;
+            g_autofree char *run = line->run != NULL
+                                       ? tinker_kept_run_name_beside(line->run, tinker_document_scene(data->document))
+                                       : g_strdup(now);
             line->name = data->own == 1 ? g_strdup(run) : g_strdup_printf("%s (%s)", plain, run);
         }
         line->label = has_several_units(data, tinker_graph_series_is_right(line->series))

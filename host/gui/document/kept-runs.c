@@ -46,11 +46,37 @@ static int free_number(TinkerKeptRuns *runs)
     }
 }
 
+static TinkerKeptRun *newest(TinkerKeptRuns *runs)
+{
+    return runs->runs->len > 0 ? tinker_kept_runs_at(runs, runs->runs->len - 1) : NULL;
+}
+
+static char *changes_since(TinkerKeptRuns *runs, TinkerScene *scene)
+{
+    return newest(runs) != NULL ? tinker_scene_changes(newest(runs)->scene, scene) : NULL;
+}
+
 char *tinker_kept_runs_name_of(TinkerKeptRuns *runs, TinkerScene *scene)
 {
-    char *changes =
-        runs->runs->len > 0 ? tinker_scene_changes(tinker_kept_runs_at(runs, runs->runs->len - 1)->scene, scene) : NULL;
+    char *changes = changes_since(runs, scene);
     return changes != NULL ? changes : g_strdup_printf(_("Run %u"), runs->next_id + 1);
+}
+
+char *tinker_kept_run_name_beside(const TinkerKeptRun *run, TinkerScene *scene)
+{
+    char *values = run->is_counted ? tinker_scene_values_changed(run->scene, scene) : NULL;
+    return values != NULL ? values : g_strdup(run->name);
+}
+
+/* A name that only counts says nothing beside a run of which it is known what it changed. */
+static void name_newest(TinkerKeptRuns *runs, TinkerScene *scene)
+{
+    TinkerKeptRun *run = newest(runs);
+    char *values = run != NULL && run->is_counted ? tinker_scene_values_changed(run->scene, scene) : NULL;
+    if (values == NULL) return;
+    g_free(run->name);
+    run->name = values;
+    run->is_counted = FALSE;
 }
 
 gboolean tinker_kept_runs_add(TinkerKeptRuns *runs, TinkerScene *scene, const TinkerRecording *recording)
@@ -58,6 +84,9 @@ gboolean tinker_kept_runs_add(TinkerKeptRuns *runs, TinkerScene *scene, const Ti
     if (runs->runs->len >= TINKER_MOST_KEPT) return FALSE;
     TinkerKeptRun *run = g_new0(TinkerKeptRun, 1);
     run->name = tinker_kept_runs_name_of(runs, scene);
+    g_autofree char *changes = changes_since(runs, scene);
+    run->is_counted = changes == NULL;
+    name_newest(runs, scene);
     run->id = runs->next_id++;
     run->shown = TRUE;
     run->number = free_number(runs);
@@ -91,6 +120,7 @@ void tinker_kept_runs_rename(TinkerKeptRuns *runs, guint place, const char *name
     if (g_str_equal(run->name, name)) return;
     g_free(run->name);
     run->name = g_strdup(name);
+    run->is_counted = FALSE;
     g_signal_emit(runs, changed, 0);
 }
 

@@ -15,6 +15,7 @@ G_DECLARE_FINAL_TYPE(TinkerKeptRuns, tinker_kept_runs, TINKER, KEPT_RUNS, GObjec
 typedef struct {
     guint id; /* never given again */
     char *name;
+    gboolean is_counted; /* "Run 1": nothing tells yet what it is beside another one */
     gboolean shown;
     int number;         /* from 0, which no other has: for a colour */
     TinkerScene *scene; /* as it was */
@@ -30,7 +31,8 @@ guint tinker_kept_runs_count(TinkerKeptRuns *runs);
 TinkerKeptRun *tinker_kept_runs_at(TinkerKeptRuns *runs, guint place);
 
 /* Keeps what is recorded of a scene, which is copied. Its name says what was changed since the one kept before,
- * "Spring 0: Stiffness 25 → 50 N/m", or is "Run 1". FALSE where there are as many as can be. */
+ * "Spring 0: Stiffness 25 → 50 N/m", or is "Run 1"; one of such a name is now named by what was changed since, "Spring
+ * 0: Stiffness 25 N/m". FALSE where there are as many as can be. */
 gboolean tinker_kept_runs_add(TinkerKeptRuns *runs, TinkerScene *scene, const TinkerRecording *recording);
 void tinker_kept_runs_remove(TinkerKeptRuns *runs, guint place);
 void tinker_kept_runs_remove_all(TinkerKeptRuns *runs);
@@ -39,6 +41,10 @@ void tinker_kept_runs_show(TinkerKeptRuns *runs, guint place, gboolean shown);
 
 /* What the scene would be called that is compared with them. (transfer full) */
 char *tinker_kept_runs_name_of(TinkerKeptRuns *runs, TinkerScene *scene);
+
+/* What a run is called beside the present scene: its name, or what was changed since in place of its number. (transfer
+ * full) */
+char *tinker_kept_run_name_beside(const TinkerKeptRun *run, TinkerScene *scene);
 
 /* The frame of a run at a time (s). NULL where it is hidden, or not recorded so far. Borrowed. */
 TinkerFrame *tinker_kept_run_frame(TinkerKeptRun *run, double time);
