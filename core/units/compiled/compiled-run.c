@@ -6,7 +6,6 @@
 
 #define LANES          64 /* of a block: all that is worked on stays in the first cache */
 #define PART           4  /* that a step works on side by side */
-#define LEAST_PLACES   8
 #define MOST_REGISTERS 24 /* of blocks; programs that want more are worked out place by place */
 #define MOST_NUMBERS   64 /* that are the same for all places, likewise */
 
@@ -59,7 +58,8 @@ static double other(TinkerOperation operation, double a, double b, double c)
     }
 }
 
-/* The steps that are more than a call, once for one place and once for blocks: a to d are what a step reads. */
+/* The steps that are more than a call, once for one place and once for blocks: a to d are what a step reads. Those of
+ * arithmetic are worked out of several lanes at once. */
 #define ARITHMETIC_STEPS(EACH)                                                                                         \
     EACH(TINKER_STEP_ADD, a + b)                                                                                       \
     EACH(TINKER_STEP_SUBTRACT, a - b)                                                                                  \
@@ -75,10 +75,10 @@ static double other(TinkerOperation operation, double a, double b, double c)
     EACH(TINKER_STEP_PRODUCTS, a *b + c * d)                                                                           \
     EACH(TINKER_STEP_PRODUCTS_SQUARE, a *b + c * (d * d))                                                              \
     EACH(TINKER_STEP_PRODUCTS_CUBE, a *b + c * (d * d * d))                                                            \
-    EACH(TINKER_STEP_NEGATE, -a)                                                                                       \
+    EACH(TINKER_STEP_NEGATE, -a)
+#define CHOICE_STEPS(EACH)                                                                                             \
     EACH(TINKER_STEP_SQRT, sqrt(a))                                                                                    \
-    EACH(TINKER_STEP_CHOOSE, c < 0 ? a : b)                                                                            \
-    EACH(TINKER_STEP_CELL, cell_of(a, b))
+    EACH(TINKER_STEP_CHOOSE, c < 0 ? a : b)
 
 #define ONE_CASE(kind_, latest_, a_, b_, c_, d_, value_)                                                               \
     case TINKER_LATEST_COUNT *kind_ + latest_: {                                                                       \
@@ -115,6 +115,8 @@ KEEP_LOOPS double tinker_compiled_value(const TinkerCompiled *compiled, const do
     do {
         switch (at->code) {
             ARITHMETIC_STEPS(AT_ONE_PLACE)
+            CHOICE_STEPS(AT_ONE_PLACE)
+            AT_ONE_PLACE(TINKER_STEP_CELL, cell_of(a, b))
         default:
             latest = other((TinkerOperation)(at->code / TINKER_LATEST_COUNT - TINKER_STEP_OTHER), entry[at->a],
                            entry[at->b], entry[at->c]);
@@ -124,49 +126,74 @@ KEEP_LOOPS double tinker_compiled_value(const TinkerCompiled *compiled, const do
     return latest;
 }
 
-/* Parts of one size: where lanes are left the last part begins so early that it ends with them. */
-#define IN_PART(from_, value_)                                                                                         \
-    for (int i = (from_); i < (from_) + PART; i++) {                                                                   \
-        const double a = first[i], b = second[i], c = third[i], d = fourth[i];                                         \
+/* Neighbouring lanes side by side, wherever they begin in memory. */
+typedef double Part __attribute__((vector_size(PART * sizeof(double)), aligned(sizeof(double)), may_alias));
+typedef double Pair __attribute__((vector_size(2 * sizeof(double)), aligned(sizeof(double)), may_alias));
+
+#define TOGETHER(type_, value_)                                                                                        \
+    do {                                                                                                               \
+        const type_ a = *(const type_ *)(first + i), b = *(const type_ *)(second + i);                                 \
+        const type_ c = *(const type_ *)(third + i), d = *(const type_ *)(fourth + i);                                 \
         (void)b, (void)c, (void)d;                                                                                     \
-        to[i] = (value_);                                                                                              \
+        *(type_ *)(to + i) = (value_);                                                                                 \
+        i += (gssize)(sizeof(type_) / sizeof(double));                                                                 \
+    } while (0)
+
+/* Only a step that reads a column looks up where it is. */
+#define WITH_COLUMNS(kind_, loops_)                                                                                    \
+    case kind_: {                                                                                                      \
+        const double *const first = entry[at->a], *const second = entry[at->b];                                        \
+        const double *const third = entry[at->c], *const fourth = entry[at->d];                                        \
+        (void)second, (void)third, (void)fourth;                                                                       \
+        loops_;                                                                                                        \
+        break;                                                                                                         \
     }
+
+/* What the parts leave is a pair, or one, or both: were a lane written twice, the next step would wait to read it. */
 #define IN_BLOCK(kind_, value_)                                                                                        \
-    case kind_:                                                                                                        \
-        for (int part = 0; part < parts; part += PART)                                                                 \
-            IN_PART(part, value_)                                                                                      \
-        if (parts < lanes) IN_PART(lanes - PART, value_)                                                               \
-        break;
+    WITH_COLUMNS(kind_, while (i < parts) TOGETHER(Part, value_); if ((lanes & 2) != 0) TOGETHER(Pair, value_);        \
+                 if ((lanes & 1) != 0) TOGETHER(double, value_))
+#define ONE_BY_ONE(kind_, value_) WITH_COLUMNS(kind_, while (i < lanes) TOGETHER(double, value_))
+
+/* Steps that are calls. */
+__attribute__((noinline)) static void call_in_block(const TinkerStep *at, double *const *entry, gssize lanes)
+{
+    const int kind = at->code / TINKER_LATEST_COUNT;
+    const double *first = entry[at->a], *second = entry[at->b], *third = entry[at->c];
+    double *to = entry[at->to];
+    for (gssize i = 0; i < lanes; i++)
+        to[i] = kind == TINKER_STEP_CELL
+                    ? cell_of(first[i], second[i])
+                    : other((TinkerOperation)(kind - TINKER_STEP_OTHER), first[i], second[i], third[i]);
+}
 
 /* No step writes what it reads. */
 __attribute__((always_inline)) static inline void run_block(const TinkerCompiled *compiled, double *const *entry,
-                                                            int lanes)
+                                                            gssize lanes)
 {
-    const int parts = lanes / PART * PART;
+    const gssize parts = lanes & -PART;
     const TinkerStep *end = compiled->step + compiled->steps;
     for (const TinkerStep *at = compiled->step; at < end; at++) {
-        const int kind = at->code / TINKER_LATEST_COUNT;
-        const double *restrict first = entry[at->a], *restrict second = entry[at->b];
-        const double *restrict third = entry[at->c], *restrict fourth = entry[at->d];
-        double *restrict to = entry[at->to];
-        switch (kind) {
+        double *const to = entry[at->to];
+        gssize i = 0;
+        switch (at->code / TINKER_LATEST_COUNT) {
             ARITHMETIC_STEPS(IN_BLOCK)
+            CHOICE_STEPS(ONE_BY_ONE)
         default:
-            for (int i = 0; i < lanes; i++)
-                to[i] = other((TinkerOperation)(kind - TINKER_STEP_OTHER), first[i], second[i], third[i]);
+            call_in_block(at, entry, lanes);
         }
     }
 }
 
 #if defined(__x86_64__)
 __attribute__((target("avx2"))) static void run_block_avx2(const TinkerCompiled *compiled, double *const *entry,
-                                                           int lanes)
+                                                           gssize lanes)
 {
     run_block(compiled, entry, lanes);
 }
 #endif
 
-static void run_block_anywhere(const TinkerCompiled *compiled, double *const *entry, int lanes)
+static void run_block_anywhere(const TinkerCompiled *compiled, double *const *entry, gssize lanes)
 {
 #if defined(__x86_64__)
     if (__builtin_cpu_supports("avx2")) {
@@ -192,18 +219,32 @@ static double *all_alike(Block *block, double value, int count)
     return column;
 }
 
-/* Blocks of LANES, the last one of what is left, but for a few that are worked out again rather than alone. */
-static void run_blocks(const TinkerCompiled *compiled, Block *block, const TinkerColumns *columns, double *results)
+/* Blocks of LANES, the last one of what is left. Arguments, numbers and registers are few. */
+KEEP_LOOPS static void run_blocks(const TinkerCompiled *compiled, const TinkerColumns *columns, double *results)
 {
-    double **entry = block->entry, **number = entry + compiled->arguments;
-    for (int next = 0; next < columns->count; next += LANES) {
-        const int first = MIN(next, columns->count - LEAST_PLACES), lanes = MIN(LANES, columns->count - first);
+    Block block;
+    const int lanes = MIN(columns->count, LANES);
+    double **entry = block.entry, **number = entry + compiled->arguments, **own = number + compiled->numbers;
+    block.filled = 0;
+    for (int i = 0; i < compiled->arguments; i++)
+        entry[i] = columns->arguments[i] != NULL ? (double *)columns->arguments[i] + columns->first
+                                                 : all_alike(&block, columns->uniform[i], lanes);
+    double *column = (double *)columns->numbers;
+    for (int i = 0; column != NULL && i < compiled->numbers; i++, column += columns->stride)
+        number[i] = column;
+    for (int i = 0; column == NULL && i < compiled->numbers; i++)
+        number[i] = all_alike(&block, compiled->number[i], lanes);
+    for (int i = 0; i < compiled->registers; i++)
+        own[i] = block.own[i];
+    for (int left = columns->count;; left -= LANES) {
+        entry[compiled->answer] = results;
+        run_block_anywhere(compiled, entry, MIN(LANES, left));
+        if (left <= LANES) return;
+        results += LANES;
         for (int i = 0; i < compiled->arguments; i++)
-            if (columns->arguments[i] != NULL) entry[i] = (double *)columns->arguments[i] + columns->first + first;
+            entry[i] += columns->arguments[i] != NULL ? LANES : 0;
         for (int i = 0; columns->numbers != NULL && i < compiled->numbers; i++)
-            number[i] = (double *)columns->numbers + (gsize)i * (gsize)columns->stride + first;
-        entry[compiled->answer] = results + first;
-        run_block_anywhere(compiled, entry, lanes);
+            number[i] += LANES;
     }
 }
 
@@ -224,22 +265,12 @@ static void copy_answer(const TinkerCompiled *compiled, const TinkerColumns *col
 
 gboolean tinker_compiled_values(const TinkerCompiled *compiled, const TinkerColumns *columns, double *results)
 {
-    if (columns->count < LEAST_PLACES || compiled->registers > MOST_REGISTERS || compiled->numbers > MOST_NUMBERS ||
+    if (compiled->registers > MOST_REGISTERS || compiled->numbers > MOST_NUMBERS ||
         compiled->arguments > TINKER_TYPED_MOST_ARGUMENTS)
         return FALSE;
-    if (compiled->steps == 0) {
+    if (compiled->steps == 0)
         copy_answer(compiled, columns, results);
-        return TRUE;
-    }
-    Block block;
-    const int lanes = MIN(columns->count, LANES);
-    block.filled = 0;
-    for (int i = 0; i < compiled->arguments; i++)
-        if (columns->arguments[i] == NULL) block.entry[i] = all_alike(&block, columns->uniform[i], lanes);
-    for (int i = 0; columns->numbers == NULL && i < compiled->numbers; i++)
-        block.entry[compiled->arguments + i] = all_alike(&block, compiled->number[i], lanes);
-    for (int i = 0; i < compiled->registers; i++)
-        block.entry[compiled->arguments + compiled->numbers + i] = block.own[i];
-    run_blocks(compiled, &block, columns, results);
+    else
+        run_blocks(compiled, columns, results);
     return TRUE;
 }

@@ -27,7 +27,7 @@ typedef struct {
 } TinkerColumns;
 
 /* The values at many places, which do not overlap what they are made of; bit for bit those of tinker_compiled_value.
- * FALSE: the program is too large for that, or there are fewer than eight places. */
+ * FALSE: the program is too large for that. */
 gboolean tinker_compiled_values(const TinkerCompiled *compiled, const TinkerColumns *columns, double *results);
 
 /* Encloses the values over a box of arguments, one interval each. TRUE: it is gentle there, so that a few places tell
@@ -47,7 +47,8 @@ typedef struct _TinkerTypedRow TinkerTypedRow;
 
 /* What plugins know as a formula (tinker/typed-law.h): an expression, its slopes and its curvatures. */
 struct TinkerTypedLaw {
-    int count; /* of arguments */
+    int count;  /* of arguments */
+    int member; /* which one of its row it is */
     TinkerCompiled *value;
     TinkerCompiled **slopes;     /* by each argument */
     TinkerCompiled **curvatures; /* by two, row by row */

@@ -57,6 +57,7 @@ static void put_into_row(TinkerTypedLaw **laws, int stride, int count)
     for (int i = 0; i < count; i++) {
         row->member[i] = *laws[i * stride];
         row->member[i].row = row;
+        row->member[i].member = i;
         g_free(laws[i * stride]);
         laws[i * stride] = &row->member[i];
     }
@@ -102,18 +103,16 @@ void tinker_typed_free(TinkerTypedLaw *law)
 }
 
 /* How many from `first` on stand in a row as they are told of, or are one law, which `one` says. */
-static int run_of(const TinkerTypedQuestion *question, int first, gboolean *one)
+static int run_of(const TinkerTypedQuestion *question, const TinkerTypedLaw *const *laws, int left, gboolean *one)
 {
-    const TinkerTypedLaw *const *laws = question->laws + (gsize)first * (gsize)question->stride;
     const TinkerTypedLaw *law = laws[0];
     const TinkerTypedRow *row = law->row;
-    const int left = question->count - first, stride = question->stride;
+    const gssize stride = question->stride;
     *one = stride == 0 || row == NULL;
     if (stride == 0) return left;
     if (row != NULL) {
-        const gssize member = law - row->member;
-        const TinkerTypedLaw *const *place = (const TinkerTypedLaw *const *)row->place + member * stride;
-        return row->stride == stride && place == laws ? MIN(left, row->count - (int)member) : 1;
+        const TinkerTypedLaw *const *place = (const TinkerTypedLaw *const *)row->place + law->member * stride;
+        return row->stride == stride && place == laws ? MIN(left, row->count - law->member) : 1;
     }
     int count = 1;
     while (count < left && laws[count * stride] == law)
@@ -121,15 +120,14 @@ static int run_of(const TinkerTypedQuestion *question, int first, gboolean *one)
     return count;
 }
 
-static gboolean ask_together(const TinkerTypedQuestion *question, int first, int count, gboolean one, int which,
-                             double *results)
+static gboolean ask_together(const TinkerTypedQuestion *question, const TinkerTypedLaw *law, int first, int count,
+                             gboolean one, int which, double *results)
 {
-    const TinkerTypedLaw *law = question->laws[(gsize)first * (gsize)question->stride];
     if (count < LEAST_TOGETHER) return FALSE;
     TinkerColumns columns = {
         .count = count, .first = first, .arguments = question->arguments, .uniform = question->uniform};
     if (!one) {
-        columns.numbers = law->row->numbers[which] + (law - law->row->member);
+        columns.numbers = law->row->numbers[which] + law->member;
         columns.stride = law->row->count;
     }
     return tinker_compiled_values(program_at(law, which), &columns, results + first);
@@ -146,25 +144,33 @@ static void ask_one_by_one(const TinkerTypedQuestion *question, int first, int c
     }
 }
 
-/* The first from `first` on that has a law. */
+/* Answers those from `first` on that can be asked in one way, and says how many they were. */
+static G_NO_INLINE int ask_run(const TinkerTypedQuestion *question, int first, int by, int and_by, double *results)
+{
+    const TinkerTypedLaw *const *laws = question->laws + (gssize)first * question->stride, *law = *laws;
+    const int which = by < 0 ? 0 : and_by < 0 ? 1 + by : 1 + law->count + by * law->count + and_by;
+    gboolean one;
+    const int count = run_of(question, laws, question->count - first, &one);
+    if (!ask_together(question, law, first, count, one, which, results))
+        ask_one_by_one(question, first, count, which, results);
+    return count;
+}
+
+/* The first from `first` on that has a law; many a batch has none at all, so four are looked at at once. */
 static int next_law(const TinkerTypedQuestion *question, int first)
 {
-    const TinkerTypedLaw *const *law = question->laws + (gssize)first * question->stride;
-    for (; first < question->count && *law == NULL; first++)
-        law += question->stride;
+    const gssize stride = question->stride;
+    const int count = question->count;
+    const guintptr *law = (const guintptr *)(const void *)question->laws + first * stride;
+    for (; first + 4 <= count && (law[0] | law[stride] | law[2 * stride] | law[3 * stride]) == 0; first += 4)
+        law += 4 * stride;
+    for (; first < count && *law == 0; first++)
+        law += stride;
     return first;
 }
 
 void tinker_typed_ask(const TinkerTypedQuestion *question, int by, int and_by, double *results)
 {
-    int first = next_law(question, 0);
-    while (first < question->count) {
-        const TinkerTypedLaw *law = question->laws[(gssize)first * question->stride];
-        const int which = by < 0 ? 0 : and_by < 0 ? 1 + by : 1 + law->count + by * law->count + and_by;
-        gboolean one;
-        const int count = run_of(question, first, &one);
-        if (!ask_together(question, first, count, one, which, results))
-            ask_one_by_one(question, first, count, which, results);
-        first = next_law(question, first + count);
-    }
+    for (int first = next_law(question, 0); first < question->count; first = next_law(question, first))
+        first += ask_run(question, first, by, and_by, results);
 }
