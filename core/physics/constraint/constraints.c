@@ -148,13 +148,13 @@ int32_t tinker_constraints_count_dependent(TinkerModel *model)
 }
 
 /* Loops over rows are written once, for a number of entries that the compiler knows (2, nearly all rows there are) or
- * not. */
+ * not: LOOP(first entry, their number). Between two ends it would not find that they are two apart. */
 #define FOR_ROWS(all, LOOP)                                                                                            \
     do {                                                                                                               \
         if ((all)->two_entries)                                                                                        \
-            LOOP(2 * row, 2 * row + 2)                                                                                 \
+            LOOP(2 * row, 2)                                                                                           \
         else                                                                                                           \
-            LOOP((all)->row_starts[row], (all)->row_starts[row + 1])                                                   \
+            LOOP((all)->row_starts[row], (all)->row_starts[row + 1] - first)                                           \
     } while (0)
 
 static void add_impulse(TinkerModel *model, const double *restrict x, double *restrict target)
@@ -185,10 +185,11 @@ void tinker_constraints_rows_times(const TinkerConstraints *all, const double *b
 {
     const double *restrict j = all->jacobian;
     const int32_t *restrict point = all->points;
-#define ROW_TIMES(first, end)                                                                                          \
+#define ROW_TIMES(begin, count)                                                                                        \
     for (int32_t row = 0; row < all->rows; row++) {                                                                    \
+        const int32_t first = (begin);                                                                                 \
         double sum = 0;                                                                                                \
-        for (int32_t e = (first); e < (end); e++)                                                                      \
+        for (int32_t k = 0, e = first; k < (count); k++, e++)                                                          \
             sum += j[2 * e] * by_point[2 * point[e]] + j[2 * e + 1] * by_point[2 * point[e] + 1];                      \
         out[row] = sum;                                                                                                \
     }
@@ -203,10 +204,11 @@ static void rates_of_entries(const TinkerModel *model, double *out)
     const TinkerConstraints *all = &model->constraints;
     const double *restrict j = all->jacobian;
     const int32_t *restrict point = all->points;
-#define ROW_RATE(first, end)                                                                                           \
+#define ROW_RATE(begin, count)                                                                                         \
     for (int32_t row = 0; row < all->rows; row++) {                                                                    \
+        const int32_t first = (begin);                                                                                 \
         double sum = 0;                                                                                                \
-        for (int32_t e = (first); e < (end); e++)                                                                      \
+        for (int32_t k = 0, e = first; k < (count); k++, e++)                                                          \
             sum += j[2 * e] * model->point[point[e]].vx + j[2 * e + 1] * model->point[point[e]].vy;                    \
         out[row] = sum;                                                                                                \
     }
