@@ -156,15 +156,20 @@ static G_NO_INLINE int ask_run(const TinkerTypedQuestion *question, int first, i
     return count;
 }
 
+static gboolean are_none(const void *a, const void *b, const void *c, const void *d)
+{
+    return ((guintptr)a | (guintptr)b | (guintptr)c | (guintptr)d) == 0;
+}
+
 /* The first from `first` on that has a law; many a batch has none at all, so four are looked at at once. */
 static int next_law(const TinkerTypedQuestion *question, int first)
 {
     const gssize stride = question->stride;
     const int count = question->count;
-    const guintptr *law = (const guintptr *)(const void *)question->laws + first * stride;
-    for (; first + 4 <= count && (law[0] | law[stride] | law[2 * stride] | law[3 * stride]) == 0; first += 4)
+    const TinkerTypedLaw *const *law = question->laws + first * stride;
+    for (; first + 4 <= count && are_none(law[0], law[stride], law[2 * stride], law[3 * stride]); first += 4)
         law += 4 * stride;
-    for (; first < count && *law == 0; first++)
+    for (; first < count && *law == NULL; first++)
         law += stride;
     return first;
 }
