@@ -212,7 +212,9 @@ static void bounds(const TinkerInstance *instance, const TinkerStyle *style, dou
     }
 }
 
-/* Editing: the handle where it leaves the disc sets the radius */
+/* Editing: the handle where it leaves the disc sets the radius; one where it would on the other side takes it there */
+
+#define PART_OTHER_SIDE (TINKER_PART_HANDLE + 1)
 
 static int32_t hit(const TinkerInstance *instance, double x, double y, double reach)
 {
@@ -226,18 +228,36 @@ static int32_t hit(const TinkerInstance *instance, double x, double y, double re
     return tinker_polyline_is_near(line, points, x, y, reach) ? TINKER_PART_WHOLE : TINKER_PART_NONE;
 }
 
+/* Where it leaves the disc, or would on its other side. */
+static int32_t place_of(const TinkerInstance *instance, int32_t part, double place[2])
+{
+    const TinkerEnd *a = &instance->end[0], *b = a + 1;
+    const double sigma = side_of(instance->columns[COLUMN_SIDE]);
+    const Tangent t = tangent_of(b->x - a->x, b->y - a->y, instance->columns[COLUMN_RADIUS],
+                                 part == PART_OTHER_SIDE ? -sigma : sigma);
+    touch_of(instance, &t, place);
+    return t.free > 0.0;
+}
+
 static int32_t handles(const TinkerInstance *instance, TinkerHandle *list, int32_t room)
 {
-    const Tangent t = drawn(instance);
-    double touch[2];
-    touch_of(instance, &t, touch);
-    return t.free > 0.0 ? tinker_handle_add(list, room, 0, TINKER_PART_HANDLE, touch[0], touch[1]) : 0;
+    int32_t count = 0;
+    for (int32_t part = TINKER_PART_HANDLE; part <= PART_OTHER_SIDE; part++) {
+        double at[2];
+        if (place_of(instance, part, at)) count = tinker_handle_add(list, room, count, part, at[0], at[1]);
+    }
+    return count;
 }
 
 static void move_absolute(const TinkerInstance *instance, int32_t part, double x, double y, const TinkerEditor *editor)
 {
+    const TinkerEnd *a = &instance->end[0], *b = a + 1;
     if (part == TINKER_PART_HANDLE) {
-        editor->set(editor, COLUMN_RADIUS, tinker_length(x - instance->end[0].x, y - instance->end[0].y));
+        editor->set(editor, COLUMN_RADIUS, tinker_length(x - a->x, y - a->y));
+    } else if (part == PART_OTHER_SIDE) { /* it is never on the side that the cord is on */
+        const double left = (b->x - a->x) * (y - a->y) - (b->y - a->y) * (x - a->x);
+        const double sigma = side_of(instance->columns[COLUMN_SIDE]);
+        if (sigma * left < 0.0) editor->set(editor, COLUMN_SIDE, sigma > 0.0 ? 1.0 : 0.0);
     } else {
         tinker_ends_move_absolute(instance, part, x, y, editor);
     }
@@ -245,11 +265,10 @@ static void move_absolute(const TinkerInstance *instance, int32_t part, double x
 
 static void move(const TinkerInstance *instance, int32_t part, double dx, double dy, const TinkerEditor *editor)
 {
-    const Tangent t = drawn(instance);
-    double touch[2];
-    touch_of(instance, &t, touch);
-    if (part == TINKER_PART_HANDLE) {
-        move_absolute(instance, part, touch[0] + dx, touch[1] + dy, editor);
+    double at[2];
+    if (part == TINKER_PART_HANDLE || part == PART_OTHER_SIDE) {
+        place_of(instance, part, at);
+        move_absolute(instance, part, at[0] + dx, at[1] + dy, editor);
     } else {
         tinker_ends_move(instance, part, dx, dy, editor);
     }
@@ -276,9 +295,12 @@ static TinkerStatus values(TinkerBatch *batch, const TinkerGraphInput *input, in
 static const char *const sides[] = {"left", "right"};
 
 static const TinkerPropertyType properties[] = {
-    {TINKER_PROPERTY_IN_PANEL(-1, TINKER_KIND_CHOICE, "side", "Side", "Cord", TINKER_DIMENSION_NONE), .choice_count = 2,
-     .choices = sides, .variability = TINKER_STRUCTURAL,
-     .description = "On which side it leaves the disc, seen from there towards its second end"},
+    {TINKER_PROPERTY_IN_PANEL(-1, TINKER_KIND_CHOICE, "side", "Side towards Load", "Cord", TINKER_DIMENSION_NONE),
+     .choice_count = 2, .choices = sides, .variability = TINKER_STRUCTURAL,
+     .description =
+         "On which side it leaves the disc, as one looks from the disc's centre to its second end, the load: where "
+         "that "
+         "hangs below, left is on the right of the picture. The handle on the other side of the disc changes it"},
     {TINKER_REAL_PROPERTY("radius", "Radius", "Cord", TINKER_DIMENSION_LENGTH),
      TINKER_POSITIVE(TINKER_DEFAULT_AS_PLACED, 0.1, 2.0), .symbol = "R", .meaning = TINKER_MEANING_RADIUS,
      .variability = TINKER_STRUCTURAL, .description = "Of what it is wound on, about its first end"},

@@ -206,6 +206,35 @@ static void test_hanging(void)
     assert_hit_where_it_hangs(&stage);
 }
 
+/* A cord that leaves a disc of 0.5 m about the origin for a load below it on the left, seen from the disc: at (0.3,
+ * -0.4), 0.625 m away, as 0.4 = 0.5 * 0.5 / 0.625. Its second handle lies where it would leave on the other side;
+ * dragged anywhere on that side it takes the cord there, and back. */
+static void test_cord_sides(void)
+{
+    Stage stage;
+    TinkerHandle handle = {0};
+    stage_init(&stage, "cord");
+    *stage_column(&stage, "radius") = 0.5;
+    stage.ends[0] = (TinkerEnd){0, 0, 1, 0, 0};
+    stage.ends[1] = (TinkerEnd){0, -0.625, 1, 0, 0};
+    g_assert_true(find_handle(&stage, TINKER_PART_HANDLE, &handle));
+    assert_close(handle.x, 0.3, 1e-15);
+    assert_close(handle.y, -0.4, 1e-15);
+    g_assert_true(find_handle(&stage, TINKER_PART_HANDLE + 1, &handle));
+    assert_close(handle.x, -0.3, 1e-15);
+    assert_close(handle.y, -0.4, 1e-15);
+    move(&stage, TINKER_PART_HANDLE + 1, -0.1, 0.05);
+    g_assert_cmpfloat(*stage_column(&stage, "side"), ==, 1);
+    g_assert_true(find_handle(&stage, TINKER_PART_HANDLE, &handle));
+    assert_close(handle.x, -0.3, 1e-15);
+    const int calls = stage.calls;
+    move_absolute(&stage, TINKER_PART_HANDLE + 1, -0.7, 2); /* still there */
+    g_assert_cmpint(stage.calls, ==, calls);
+    move_absolute(&stage, TINKER_PART_HANDLE + 1, 0.2, 2);
+    g_assert_cmpfloat(*stage_column(&stage, "side"), ==, 0);
+    assert_close(*stage_column(&stage, "radius"), 0.5, 0);
+}
+
 /* Of a slab of 4 m x 0.4 m that is not solid a pin is drawn: 0.4 m wide, its top at (1, 2). */
 static void test_pivot(void)
 {
@@ -389,5 +418,6 @@ int main(int argc, char **argv)
     g_test_add_func("/plugins/editing/motor/negative-force", test_motor_tip_of_negative_force);
     g_test_add_func("/plugins/editing/gravity/tip", test_gravity);
     g_test_add_func("/plugins/editing/wind/tip", test_wind);
+    g_test_add_func("/plugins/editing/cord-sides", test_cord_sides);
     return g_test_run();
 }
