@@ -332,6 +332,25 @@ static void test_small_wheel(void)
     g_assert_cmpuint(none->len, ==, 0);
 }
 
+/* A cord from a mass to a disc is the wrong way round; swapped, the scene compiles. With a radius of its own it is as
+ * meant. */
+static void test_wound_ends(void)
+{
+    static const char *const blocks = "{'type': 'disc', 'name': 'Wheel'}, {'type': 'mass', 'name': 'M', 'position': "
+                                      "[0, -2]}, {'type': 'cord', 'name': 'Line', 'ends': ['M', 'Wheel']%s}";
+    g_autofree char *wrong = g_strdup_printf(blocks, ""), *meant = g_strdup_printf(blocks, ", 'radius': 0.1");
+    g_autoptr(StartFixture) f = start_fixture_new(wrong);
+    assert_only(f, TINKER_ADVICE_WOUND_ENDS, TRUE, "Line", "M is not round", "Swap its ends");
+    repair(f);
+    const TinkerBlockId line = start_fixture_block(f, "Line");
+    g_assert_cmpint(tinker_scene_end(f->scene, line, 0).block, ==, start_fixture_block(f, "Wheel"));
+    g_assert_cmpint(tinker_scene_end(f->scene, line, 1).block, ==, start_fixture_block(f, "M"));
+    g_autoptr(StartFixture) g = start_fixture_new(meant);
+    g_autoptr(GPtrArray) none = tinker_advice_new(g->scene);
+    for (guint i = 0; i < none->len; i++)
+        g_assert_cmpint(((const TinkerAdvice *)g_ptr_array_index(none, i))->kind, !=, TINKER_ADVICE_WOUND_ENDS);
+}
+
 /* A loose end of a pin is connected where it lies, not to the centre. */
 static void test_loose_pin(void)
 {
@@ -412,6 +431,7 @@ static void add_tests(void)
     g_test_add_func("/advice/joint", test_joint);
     g_test_add_func("/advice/small-wheel", test_small_wheel);
     g_test_add_func("/advice/loose-end-under", test_loose_end_finds_what_is_under_it);
+    g_test_add_func("/advice/wound-ends", test_wound_ends);
     g_test_add_func("/advice/loose-pin", test_loose_pin);
     g_test_add_func("/advice/nothing-wrong", test_nothing_wrong);
     g_test_add_func("/advice/detached-end", test_detached_end);

@@ -75,6 +75,16 @@ static gboolean set_vectors(TinkerHistory *history, TinkerScene *scene, const Ti
     return TRUE;
 }
 
+/* The first one lies loose meanwhile: nothing has both ends at one place. */
+static gboolean swap_ends(TinkerHistory *history, TinkerScene *scene, TinkerBlockId connector, GError **error)
+{
+    const TinkerSceneEnd first = tinker_scene_end(scene, connector, 0), second = tinker_scene_end(scene, connector, 1);
+    const TinkerSceneEnd loose = {TINKER_NO_BLOCK, 0, 0};
+    return tinker_history_set_end(history, connector, 0, loose, error) &&
+           tinker_history_set_end(history, connector, 1, first, error) &&
+           tinker_history_set_end(history, connector, 0, second, error);
+}
+
 static gboolean do_repair(TinkerHistory *history, TinkerScene *scene, const TinkerAdvice *advice, GError **error)
 {
     switch (advice->kind) {
@@ -89,6 +99,8 @@ static gboolean do_repair(TinkerHistory *history, TinkerScene *scene, const Tink
         return TRUE;
     case TINKER_ADVICE_VELOCITY:
         return set_vectors(history, scene, advice, TINKER_MEANING_VELOCITY, FALSE, error);
+    case TINKER_ADVICE_WOUND_ENDS:
+        return swap_ends(history, scene, g_array_index(advice->blocks, TinkerBlockId, 0), error);
     case TINKER_ADVICE_OVERLAP:
         return set_vectors(history, scene, advice, TINKER_MEANING_POSITION, TRUE, error);
     default: /* without repair */

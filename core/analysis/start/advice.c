@@ -202,6 +202,32 @@ static void on_meeting(GPtrArray *all, const TinkerFrame *frame)
     advice_add_block(advice, meeting.second);
 }
 
+static gboolean is_round(TinkerScene *scene, TinkerBlockId block)
+{
+    const TinkerBlockClass *block_class = block != TINKER_NO_BLOCK ? tinker_scene_block_class(scene, block) : NULL;
+    return block_class != NULL && block_class->meanings[TINKER_MEANING_RADIUS] >= 0;
+}
+
+/* What is wound on its first end and has no radius of its own. */
+static void on_wound_ends(GPtrArray *all, TinkerScene *scene, TinkerBlockId block)
+{
+    const TinkerBlockClass *block_class = tinker_scene_block_class(scene, block);
+    if (block_class == NULL || !tinker_block_class_is_wound(block_class)) return;
+    const int32_t radius = tinker_block_class_meaning_column(block_class, TINKER_MEANING_RADIUS);
+    const TinkerBlockId on[2] = {tinker_scene_end(scene, block, 0).block, tinker_scene_end(scene, block, 1).block};
+    if (!isnan(tinker_scene_get(scene, block, radius)) || on[0] == TINKER_NO_BLOCK || is_round(scene, on[0]) ||
+        !is_round(scene, on[1]))
+        return;
+    TinkerAdvice *advice = advice_add(
+        all, TINKER_ADVICE_WOUND_ENDS, TRUE,
+        g_strdup_printf(_("%s: it is wound on what its first end is on, but %s is not round (swap its ends, so that "
+                          "the first is on %s)"),
+                        tinker_scene_block_name(scene, block), tinker_scene_block_name(scene, on[0]),
+                        tinker_scene_block_name(scene, on[1])));
+    advice_add_block(advice, block);
+    advice->repair = g_strdup(_("Swap its ends"));
+}
+
 static void on_small_wheels(GPtrArray *all, TinkerScene *scene, TinkerBlockId block)
 {
     g_autoptr(GArray) wheels = tinker_small_wheels_of(scene, block);
@@ -273,8 +299,10 @@ GPtrArray *tinker_advice_new(TinkerScene *scene)
         add_named_blocks(advice_add(all, TINKER_ADVICE_MODEL, TRUE, g_strdup(error->message)), scene);
         return all;
     }
-    for (int32_t i = 0; i < tinker_scene_block_count(scene); i++)
+    for (int32_t i = 0; i < tinker_scene_block_count(scene); i++) {
         on_length(all, frame, tinker_scene_block_at(scene, i));
+        on_wound_ends(all, scene, tinker_scene_block_at(scene, i));
+    }
     if (all->len == 0) on_model(all, frame); /* which would say the first of these again */
     on_overlaps(all, frame);
     for (int32_t i = 0; i < tinker_scene_block_count(scene); i++)

@@ -13,6 +13,7 @@ typedef enum {
     TINKER_ADVICE_MODEL,        /* whatever else keeps the scene from running; no repair */
     TINKER_ADVICE_OVERLAP,      /* a body that starts in a plate; repair: out of it */
     TINKER_ADVICE_MEETING,      /* bodies whose start velocities take them through each other; no repair */
+    TINKER_ADVICE_WOUND_ENDS,   /* what is wound begins where nothing is round, and ends on a disc; repair: swapped */
     TINKER_ADVICE_SMALL_WHEEL,  /* what goes over the centre of something round; no repair */
 } TinkerAdviceKind;
 
