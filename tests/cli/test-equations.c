@@ -101,7 +101,7 @@ static void test_matrix(CliFixture *fixture, gconstpointer data)
     cli_assert_holds(text, divided);
     cli_assert_holds(text, "q = y − 1.6 m   counted from rest");
     cli_assert_holds(text, "ω₀ = 5 rad/s ");
-    cli_assert_holds(text, "τ = 1.25664 s ");
+    cli_assert_holds(text, "T = 1.25664 s ");
     g_autoptr(TestProgram) program = cli_run_well(fixture, "equations @scene.json --form matrix --as json");
     cJSON *root = cJSON_Parse(program->output);
     const cJSON *island = cJSON_GetArrayItem(cJSON_GetObjectItem(root, "islands"), 0);

@@ -136,7 +136,7 @@ static void write_roots(TinkerPage *page, const TinkerMatrixIsland *island)
                                           : zeta < 1 ? _("damping ratio: its swings die away")
                                                      : _("damping ratio: it creeps back")));
         if (!isnan(zeta) && fabs(zeta) < 1)
-            tinker_page_equation(page, named(page, "τ", n == 1 ? "" : index),
+            tinker_page_equation(page, named(page, "T", n == 1 ? "" : index),
                                  tinker_page_quantity(page, 2 * G_PI / (omega * sqrt(1 - zeta * zeta)), seconds),
                                  g_strdup(_("period")));
     }

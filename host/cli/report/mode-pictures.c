@@ -32,7 +32,8 @@ gboolean tinker_mode_report_draw(const TinkerModeReport *report, const TinkerThe
     const double amplitude = tinker_mode_amplitude(from);
     for (guint i = 0; i < report->count; i++) {
         const TinkerMode *mode = g_ptr_array_index(report->analysis->modes, i);
-        g_autofree char *caption = tinker_mode_caption(mode, i + 1), *file = numbered_path(path, i + 1);
+        g_autofree char *caption = tinker_mode_caption(report->analysis, mode, i + 1),
+                        *file = numbered_path(path, i + 1);
         TinkerGhost ghost = {from, to, caption, TRUE};
         tinker_mode_place(to, report->analysis, mode, amplitude, 0);
         if (!tinker_ghost_to_file(&ghost, width, height, &options, file, error)) return FALSE;

@@ -13,7 +13,12 @@ double tinker_mode_amplitude(TinkerFrame *frame);
 void tinker_mode_place(TinkerFrame *frame, const TinkerModeAnalysis *analysis, const TinkerMode *mode, double amplitude,
                        double phase);
 
-/* "Mode 3: 1.59 Hz, damping ratio 0.05", in the user's language. (transfer full) */
-char *tinker_mode_caption(const TinkerMode *mode, guint number);
+/* What the bodies do in a mode, in the user's language: "sideways", "up and down against each other"; NULL where that
+ * is not simple, or no standing shape. (transfer full) */
+char *tinker_mode_motion(const TinkerModeAnalysis *analysis, const TinkerMode *mode);
+
+/* "Mode 3, sideways: ω₀ = 10 rad/s, f = 1.59 Hz, T = 0.6291 s, damping ratio 0.05", in the user's language: ω₀
+ * without damping, f and T as it swings. (transfer full) */
+char *tinker_mode_caption(const TinkerModeAnalysis *analysis, const TinkerMode *mode, guint number);
 
 #endif

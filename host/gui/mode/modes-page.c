@@ -92,9 +92,9 @@ static void on_row_selected(TinkerModesPage *page, GtkListBoxRow *row)
         swing(page, (guint)gtk_list_box_row_get_index(row));
 }
 
-static void add_row(TinkerModesPage *page, const TinkerMode *mode, guint number)
+static void add_row(TinkerModesPage *page, const TinkerModeAnalysis *analysis, guint number)
 {
-    g_autofree char *caption = tinker_mode_caption(mode, number);
+    g_autofree char *caption = tinker_mode_caption(analysis, g_ptr_array_index(analysis->modes, number), number + 1);
     GtkWidget *label = gtk_label_new(caption), *row = gtk_list_box_row_new();
     gtk_label_set_xalign(GTK_LABEL(label), 0);
     gtk_label_set_wrap(GTK_LABEL(label), TRUE);
@@ -175,7 +175,7 @@ static void on_result(TinkerModesPage *page)
     gtk_label_set_text(GTK_LABEL(page->note), note != NULL ? note : "");
     const guint count = result != NULL && result->analysis != NULL ? MIN(result->analysis->modes->len, MOST_MODES) : 0;
     for (guint i = 0; i < count; i++)
-        add_row(page, g_ptr_array_index(result->analysis->modes, i), i + 1);
+        add_row(page, result->analysis, i);
     gtk_widget_set_visible(page->list, count > 0);
     show_drives(page, result);
 }
