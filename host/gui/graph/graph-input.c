@@ -214,14 +214,25 @@ static void on_pressed(GtkGestureClick *gesture, int presses, double x, double y
     if (presses == 2) tinker_graph_plot_show_all(plot);
 }
 
+/* Whether the graph lies in what the wheel would scroll. */
+static gboolean is_scrolled(TinkerGraphPlot *plot)
+{
+    GtkWidget *scroller = gtk_widget_get_ancestor(GTK_WIDGET(plot), GTK_TYPE_SCROLLED_WINDOW);
+    if (scroller == NULL) return FALSE;
+    GtkAdjustment *down = gtk_scrolled_window_get_vadjustment(GTK_SCROLLED_WINDOW(scroller));
+    return gtk_adjustment_get_upper(down) > gtk_adjustment_get_page_size(down);
+}
+
 /* Both axes, with Control the one across alone, with Shift the one upwards; and beside the curves that beside which it
- * is. */
+ * is. On a page that scrolls the plain wheel is the page's, and Control stands for it. */
 static gboolean on_scroll(GtkEventControllerScroll *scroll, double dx, double dy, TinkerGraphPlot *plot)
 {
     const GdkModifierType modifiers = modifiers_of(scroll);
     const double by = dy != 0 ? dy : dx;
     TinkerGraphAxes axes = tinker_graph_axes_at(&plot->geometry, plot->pointer[0], plot->pointer[1]);
-    if (modifiers & GDK_CONTROL_MASK) axes = TINKER_GRAPH_X;
+    const gboolean page_scrolls = is_scrolled(plot);
+    if (page_scrolls && !(modifiers & (GDK_CONTROL_MASK | GDK_SHIFT_MASK))) return GDK_EVENT_PROPAGATE;
+    if (!page_scrolls && (modifiers & GDK_CONTROL_MASK)) axes = TINKER_GRAPH_X;
     if (modifiers & GDK_SHIFT_MASK) axes = TINKER_GRAPH_UP;
     tinker_graph_zoom_by(&plot->zoom, &plot->geometry, axes, plot->pointer[0], plot->pointer[1], pow(WHEEL_STEP, -by));
     zoomed(plot, axes);

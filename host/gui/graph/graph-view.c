@@ -127,7 +127,9 @@ void tinker_graph_view_set_number(TinkerGraphView *view, int number)
     const char *title = tinker_graph_data_title(tinker_graph_view_data(view));
     g_autofree char *label = g_strdup_printf(_("Graph of %s"), title);
     gtk_label_set_text(GTK_LABEL(view->title), title);
-    gtk_widget_set_tooltip_text(view->title, title);
+    g_autofree char *hint = g_strdup_printf(
+        _("%s\nThe wheel zooms; on a page that scrolls it does so with Ctrl. A double click shows all."), title);
+    gtk_widget_set_tooltip_text(view->title, hint);
     gtk_accessible_update_property(GTK_ACCESSIBLE(view), GTK_ACCESSIBLE_PROPERTY_LABEL, label, -1);
     tell_value(view);
 

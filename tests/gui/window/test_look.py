@@ -57,6 +57,28 @@ def test_wheel_zooms_all_graphs_over_time(display):
         wait(lambda: shown(app, height) is None and shown(app, speed) is None, "a double click to show all")
 
 
+def test_wheel_scrolls_a_page_of_graphs(display):
+    """Where there are more than fit; there Ctrl zooms. Beside the canvas, where all fit, the wheel alone does."""
+    graphs = [{"block": "Ball", "quantity": quantity} for quantity in ("y", "vy", "ay", "x", "vx", "ax", "speed", "y", "vy")]
+    with App(display, thrown(*graphs)) as app:
+        run(app)
+        app.click("Graphs", role="tab")
+        app.find("button", "Add Graph")
+        wait(lambda: app.settled(graph(app, "^Graph of .*Y Position"))[3] > 150, "the graphs of the page")
+        first = graph(app, "^Graph of .*Y Position")
+        left, top, right, bottom = plot_box(app, first)
+        before = app.settled(first)
+        app.xdotool("mousemove", (left + right) / 2, (top + bottom) / 2, "keydown", "ctrl", "click", 4, "keyup", "ctrl")
+        wait(lambda: shown(app, first), "it to be zoomed with Ctrl")
+        check_equal(app.settled(first), before, "its place")
+        zoomed = shown(app, first)
+        upper = (left, top, right, bottom)
+        picture = app.picture().cut(upper)
+        app.xdotool("mousemove", (left + right) / 2, (top + bottom) / 2, "click", 5)
+        wait(lambda: app.picture().cut(upper) != picture, "the page to scroll")
+        check_equal(shown(app, first), zoomed, "what it shows, which the wheel alone does not change")
+
+
 def test_box_zooms(display):
     """A box over the middle third; one without height is of the time alone, as its height tells nothing here."""
     with App(display, thrown(HEIGHT)) as app:
