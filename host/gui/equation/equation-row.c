@@ -163,6 +163,16 @@ static void add_left(TinkerEquationRow *row, TinkerDocument *document, const Tin
     gtk_widget_set_parent(left, GTK_WIDGET(row));
 }
 
+/* What touches has two terms of one block, which is all that the tooltip of a term tells. */
+static void tell_kind(GtkWidget *term, TinkerTermKind kind)
+{
+    const char *name = gtk_widget_get_tooltip_text(term);
+    if (name == NULL || (kind != TINKER_TERM_NORMAL && kind != TINKER_TERM_FRICTION)) return;
+    g_autofree char *text =
+        g_strdup_printf(kind == TINKER_TERM_NORMAL ? _("%s: normal force N") : _("%s: friction f"), name);
+    gtk_widget_set_tooltip_text(term, text);
+}
+
 GtkWidget *tinker_equation_row_new(TinkerDocument *document, const TinkerEquationLine *shown,
                                    const TinkerEquationLine *spoken)
 {
@@ -177,6 +187,7 @@ GtkWidget *tinker_equation_row_new(TinkerDocument *document, const TinkerEquatio
         g_autofree char *mathml = g_strconcat(i > 0 ? "<mrow></mrow>" : "", term->text, NULL);
         GtkWidget *widget = tinker_equation_term_new(document, term->block, mathml, reading->text);
         const Term one = {TINKER_EQUATION_TERM(widget), term->block, term->kind};
+        tell_kind(widget, term->kind);
         gtk_widget_set_parent(widget, GTK_WIDGET(row));
         if (shown->component >= 0) g_array_append_val(row->terms, one);
     }

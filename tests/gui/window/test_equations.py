@@ -48,6 +48,18 @@ def test_pointing_at_a_term_lights_its_block(display):
         wait(lambda: app.picture().cut(inside) != dark, "the term to light up")
 
 
+def test_normal_force_and_friction_are_told_apart(display):
+    """Both terms are of one block: the tooltip says which one it is."""
+    content = scene(GRAVITY, support("Floor", 0, -0.5, width=10, height=0.6, static_friction=0.5, dynamic_friction=0.4),
+                    mass("Bob", 0, 0.2, mass=2, width=0.8, height=0.8))
+    with App(display, content) as app:
+        app.show_width()
+        app.click("Equations", role="tab")
+        term = app.find("image", re.compile("^Floor: .*\\bN\\b"))
+        app.xdotool("mousemove", *app.middle(term))
+        app.find("label", "Floor: normal force N")
+
+
 def test_keys_reach_a_term_and_select_its_block(display):
     with App(display, hanging()) as app:
         open_page(app)
