@@ -2,8 +2,8 @@
  * a whole frame takes (from before-paint to after-paint), and how long the main loop lets an event wait. Needs a
  * display; with no graphics processor, GSK_RENDERER=cairo.
  *
- * bench-window runs itself once for each case, as `bench-window --case SCENE` or `bench-window --drag SCENE`, so that
- * every window is the first. */
+ * bench-window runs itself once for each case, as `bench-window --case SCENE`, `--drag SCENE` or `--equations SCENE`,
+ * so that every window is the first. */
 #include <glib/gstdio.h>
 #include <math.h>
 #include <stdlib.h>
@@ -22,6 +22,7 @@
 
 typedef struct {
     GtkApplication *application;
+    gboolean equations;  /* are shown while it plays */
     gint64 started;      /* us */
     double first_work;   /* ms of processor time until the first frame */
     gint64 first_frame;  /* us; 0: not yet */
@@ -68,6 +69,18 @@ static void print_and_quit(Measurement *measurement)
     _Exit(0);
 }
 
+/* The page of equations, with the value of each term beneath it. */
+static void show_equations(GtkWidget *widget)
+{
+    if (GTK_IS_CHECK_BUTTON(widget) && g_strcmp0(gtk_check_button_get_label(GTK_CHECK_BUTTON(widget)), "Values") == 0)
+        gtk_check_button_set_active(GTK_CHECK_BUTTON(widget), TRUE);
+    if (GTK_IS_STACK(widget) && gtk_stack_get_child_by_name(GTK_STACK(widget), "equations") != NULL)
+        gtk_stack_set_visible_child_name(GTK_STACK(widget), "equations");
+    for (GtkWidget *child = gtk_widget_get_first_child(widget); child != NULL;
+         child = gtk_widget_get_next_sibling(child))
+        show_equations(child);
+}
+
 static void on_after_paint(GdkFrameClock *clock, Measurement *measurement)
 {
     gint64 now = g_get_monotonic_time();
@@ -76,6 +89,7 @@ static void on_after_paint(GdkFrameClock *clock, Measurement *measurement)
         measurement->first_work = thread_time();
         measurement->last_event = now;
         GtkWindow *window = gtk_application_get_active_window(measurement->application);
+        if (measurement->equations) show_equations(GTK_WIDGET(window));
         g_action_group_activate_action(G_ACTION_GROUP(window), "play", NULL);
         return;
     }
@@ -145,9 +159,10 @@ static gboolean on_out_of_patience(gpointer data)
 }
 
 /* One case, in a process of its own, with a home of its own. */
-static int measure(char *program, char *scene, gboolean drags)
+static int measure(char *program, char *scene, gboolean drags, gboolean equations)
 {
-    Measurement measurement = {.started = g_get_monotonic_time(),
+    Measurement measurement = {.equations = equations,
+                               .started = g_get_monotonic_time(),
                                .frames = g_array_new(FALSE, FALSE, sizeof(double)),
                                .work = g_array_new(FALSE, FALSE, sizeof(double))};
     gtk_disable_setlocale();
@@ -188,7 +203,8 @@ static void report_case(BenchmarkReport *report, char *program, const char *mode
     benchmark_report_figure(report, name, "longest wait for an event", values[3], "ms", 50);
 }
 
-/* A generated scene with two graphs that are docked; "--case" or "--drag". `interval` is how it records, in s. */
+/* A generated scene with two graphs that are docked; "--case", "--drag" or "--equations". `interval` is how it records,
+ * in s. */
 static void report_text(BenchmarkReport *report, char *program, const char *mode, const char *name, char *text,
                         const char *interval, double frames_goal)
 {
@@ -218,10 +234,12 @@ static void report_wall(BenchmarkReport *report, char *program)
 
 int main(int argc, char **argv)
 {
-    if (argc == 3 && g_str_equal(argv[1], "--case")) return measure(argv[0], argv[2], FALSE);
-    if (argc == 3 && g_str_equal(argv[1], "--drag")) return measure(argv[0], argv[2], TRUE);
+    if (argc == 3 && g_str_equal(argv[1], "--case")) return measure(argv[0], argv[2], FALSE, FALSE);
+    if (argc == 3 && g_str_equal(argv[1], "--drag")) return measure(argv[0], argv[2], TRUE, FALSE);
+    if (argc == 3 && g_str_equal(argv[1], "--equations")) return measure(argv[0], argv[2], FALSE, TRUE);
     BenchmarkReport *report = benchmark_report_new(argc, argv);
     report_text(report, argv[0], "--case", "200 blocks, two graphs", benchmark_net(8), "0.01", 60);
+    report_text(report, argv[0], "--equations", "25 bodies, equations and values", benchmark_net(5), "0.01", 60);
     report_text(report, argv[0], "--case", "5000 blocks", benchmark_net(41), "0.01", 20);
     /* About 1.3 GB of rows, of which 256 MB are kept in memory. */
     report_text(report, argv[0], "--case", "a record that outgrows its memory", benchmark_net(8), "2e-5", 60);
