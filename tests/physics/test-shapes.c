@@ -171,6 +171,7 @@ static void test_distance(void)
         for (int32_t k = 0; k < count; k++) {
             TinkerGap gap;
             tinker_gap_measure(&functions[k], &p, &q, &gap);
+            g_assert_true(tinker_gap_alone(&functions[k], &p, &q) == gap.gap);
             if (gap.gap > 0 && fabs(gap.along) <= functions[k].half_width) least = fmin(least, gap.gap);
         }
         worst = fmax(worst, fabs(least - distance));
@@ -207,6 +208,7 @@ static void test_unturned(void)
         for (int32_t k = 0; k < count; k++) {
             TinkerGap gap;
             tinker_gap_measure(&functions[k], &p, &q, &gap);
+            g_assert_true(tinker_gap_alone(&functions[k], &p, &q) == gap.gap);
             if (gap.gap > 0 && fabs(gap.along) <= functions[k].half_width) least = fmin(least, gap.gap);
         }
         worst = fmax(worst, fabs(least - distance));

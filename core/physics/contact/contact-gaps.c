@@ -230,6 +230,15 @@ TinkerContactPlace tinker_contact_gap_place(const TinkerContacts *contacts, int3
     return place_of(&gap);
 }
 
+double tinker_contact_gap_alone(const TinkerContacts *contacts, int32_t number)
+{
+    const TinkerPlate *plate = &contacts->plates[number];
+    if (plate->arm > 0) return resisting_place(contacts, plate).gap;
+    const TinkerBodyPose first = pose_of(contacts->model, plate->pair, 0),
+                         second = pose_of(contacts->model, plate->pair, 1);
+    return tinker_gap_alone(plate->gap, &first, &second);
+}
+
 gboolean tinker_contact_gap_is_over(const TinkerContacts *contacts, int32_t number, double tolerance)
 {
     const TinkerPlate *plate = &contacts->plates[number];

@@ -214,6 +214,8 @@ typedef struct {
 
 /* Of a gap function. */
 TinkerContactPlace tinker_contact_gap_place(const TinkerContacts *contacts, int32_t number);
+/* Its gap (m) alone, to the same bits, which is told much sooner. */
+double tinker_contact_gap_alone(const TinkerContacts *contacts, int32_t number);
 void tinker_contact_gap_entries(const TinkerContacts *contacts, int32_t number, TinkerContactEntries *entries);
 /* One of its rows (0: normal, 1: tangential) times a vector by coordinate. */
 double tinker_contact_times(const TinkerContactEntries *entries, int which, const double *by_coordinate);

@@ -97,7 +97,7 @@ static gboolean gap_may_close(const TinkerContacts *contacts, int32_t number, do
     const int tip = plate->gap->tip_of;
     const double apart = hypot(at[0]->x - at[1]->x, at[0]->y - at[1]->y) + pair->outline[tip]->radius;
     const double most = moves[0] + moves[1] + turns[1 - tip] * (apart + moves[0] + moves[1]);
-    return !(fabs(tinker_contact_gap_place(contacts, number).gap) > most + TINKER_TOUCHING);
+    return !(fabs(tinker_contact_gap_alone(contacts, number)) > most + TINKER_TOUCHING);
 }
 
 /* Whether a step that ends in the state in the points may close a gap, or it has to be watched whatever it does. */

@@ -118,6 +118,8 @@ double tinker_trigger_value(const TinkerContactRun *self, const TinkerTrigger *t
     if (trigger->kind == TINKER_TRIGGER_NORMAL) return contact->normal;
     if (trigger->kind == TINKER_TRIGGER_FORWARD) return friction_left(contacts, contact, 1);
     if (trigger->kind == TINKER_TRIGGER_BACKWARD) return friction_left(contacts, contact, -1);
+    if (trigger->kind == TINKER_TRIGGER_GAP && contacts->plates[trigger->plate].gap != NULL)
+        return tinker_contact_gap_alone(contacts, trigger->plate); /* most of what bodies that turn have watched */
     const TinkerContactPlace place = tinker_contact_place(contacts, trigger->body, trigger->plate);
     const double half_width = contacts->plates[trigger->plate].half_width;
     switch (trigger->kind) {

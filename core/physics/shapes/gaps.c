@@ -201,17 +201,35 @@ typedef struct {
     double place[2], arm[2], turned[2], velocity[2], bend[2];
 } Point;
 
+/* Where a point is that is fixed to a frame. */
+static void place_at(const TinkerBodyPose *pose, const double local[2], double arm[2], double place[2])
+{
+    turn(pose, local, arm);
+    place[0] = pose->x + arm[0];
+    place[1] = pose->y + arm[1];
+}
+
 static Point point_at(const TinkerBodyPose *pose, const double local[2])
 {
     Point point = {0};
-    turn(pose, local, point.arm);
+    place_at(pose, local, point.arm, point.place);
     across(point.arm, point.turned);
     for (int k = 0; k < 2; k++) {
-        point.place[k] = (k == 0 ? pose->x : pose->y) + point.arm[k];
         point.velocity[k] = (k == 0 ? pose->vx : pose->vy) + pose->rate * point.turned[k];
         point.bend[k] = -pose->rate * pose->rate * point.arm[k];
     }
     return point;
+}
+
+/* By the normal of the edge, and the way from the seat to the tip. */
+static double gap_over_edge(const TinkerGapFunction *function, const double normal[2], const double way[2])
+{
+    return dot(normal, way) - function->tip_radius;
+}
+
+static double gap_of_round(const TinkerGapFunction *function, double far)
+{
+    return far - (function->tip_radius + function->seat_radius);
 }
 
 static void fill_row(double row[6], const double direction[2], double by_tip, double by_seat)
@@ -241,7 +259,7 @@ static void measure_edge(const TinkerGapFunction *function, const TinkerBodyPose
     turn(seat, function->normal, gap->normal);
     const double *n = gap->normal;
     const double t[2] = {n[1], -n[0]};
-    gap->gap = dot(n, d) - r;
+    gap->gap = gap_over_edge(function, n, d);
     gap->along = dot(t, d);
     gap->rolled = gap->along + r * (tip->angle - seat->angle);
     gap->period = 0;
@@ -268,7 +286,7 @@ static void measure_round(const TinkerGapFunction *function, const TinkerBodyPos
     const double t[2] = {n[1], -n[0]}, direction = atan2(n[1], n[0]);
     double middle[2];
     turn(seat, function->normal, middle);
-    gap->gap = far - reach;
+    gap->gap = gap_of_round(function, far);
     gap->along = -reach * atan2(middle[0] * n[1] - middle[1] * n[0], dot(middle, n));
     gap->rolled = r * tip->angle + s * seat->angle - reach * direction;
     gap->period = 2 * G_PI * reach;
@@ -293,6 +311,18 @@ void tinker_gap_measure(const TinkerGapFunction *function, const TinkerBodyPose 
         measure_edge(function, tip, seat, &p, gap);
     for (int k = 0; k < 2; k++)
         gap->point[k] = p.place[k] - (function->tip_radius + function->inset) * gap->normal[k];
+}
+
+double tinker_gap_alone(const TinkerGapFunction *function, const TinkerBodyPose *first, const TinkerBodyPose *second)
+{
+    const TinkerBodyPose *tip = function->tip_of == 0 ? first : second, *seat = function->tip_of == 0 ? second : first;
+    double arm[2], p[2], c[2], normal[2];
+    place_at(tip, function->tip, arm, p);
+    place_at(seat, function->seat, arm, c);
+    const double way[2] = {p[0] - c[0], p[1] - c[1]};
+    if (function->round) return gap_of_round(function, hypot(way[0], way[1]));
+    turn(seat, function->normal, normal);
+    return gap_over_edge(function, normal, way);
 }
 
 gboolean tinker_gap_is_over(const TinkerGapFunction *function, const TinkerBodyPose *first,

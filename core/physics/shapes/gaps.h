@@ -85,6 +85,9 @@ int32_t tinker_gap_functions_most(const TinkerOutline *first, const TinkerOutlin
 void tinker_gap_measure(const TinkerGapFunction *function, const TinkerBodyPose *first, const TinkerBodyPose *second,
                         TinkerGap *gap);
 
+/* The gap (m) alone, bit for bit TinkerGap.gap: it asks for places and no motion, and is told much sooner. */
+double tinker_gap_alone(const TinkerGapFunction *function, const TinkerBodyPose *first, const TinkerBodyPose *second);
+
 /* Whether the tip is over the seat, and none of its own edges leads on into it, so that the gap is one between the
  * shapes: of two boxes on one floor whose lower corners meet, none is above or below the other. Within `tolerance` (m)
  * of an end one that moves on over it is not. */
