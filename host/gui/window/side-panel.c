@@ -6,12 +6,13 @@
 #include "gui/canvas/outline.h"
 #include "gui/property/property-panel.h"
 
-#define PROPERTIES_HEIGHT 160 /* px: at least */
-#define OUTLINE_HEIGHT    130
-#define EQUATIONS_WIDTH   440
-#define STACK             "stack" /* data of the panel: what holds its pages */
-#define OUTLINE           "outline"
-#define PROPERTIES        "properties"
+#define PAGE_HEIGHT      160 /* px: at least */
+#define OUTLINE_HEIGHT   130 /* where there is room */
+#define EQUATIONS_WIDTH  440
+#define EQUATIONS_HEIGHT 300     /* that of a window of 500, but for the head of the outline */
+#define STACK            "stack" /* data of the panel: what holds its pages */
+#define OUTLINE          "outline"
+#define PROPERTIES       "properties"
 
 static GtkWidget *scrolled(GtkWidget *child)
 {
@@ -31,9 +32,11 @@ static GtkWidget *pages_of(GtkWidget *stack, GtkWidget *card, GtkWidget *propert
     gtk_stack_add_titled(GTK_STACK(stack), scrolled(start), "start", _("Start"));
     GtkWidget *model = scrolled(equations);
     gtk_scrolled_window_set_policy(GTK_SCROLLED_WINDOW(model), GTK_POLICY_AUTOMATIC, GTK_POLICY_AUTOMATIC);
-    gtk_widget_set_size_request(model, EQUATIONS_WIDTH, -1);
+    gtk_widget_set_size_request(model, EQUATIONS_WIDTH, EQUATIONS_HEIGHT);
     gtk_stack_add_titled(GTK_STACK(stack), model, "equations", _("Equations"));
-    gtk_stack_set_hhomogeneous(GTK_STACK(stack), FALSE); /* equations are wider than the rest */
+    gtk_stack_set_hhomogeneous(GTK_STACK(stack), FALSE); /* equations are larger than the rest */
+    gtk_stack_set_vhomogeneous(GTK_STACK(stack), FALSE);
+    gtk_widget_set_size_request(stack, -1, PAGE_HEIGHT);
     gtk_stack_set_visible_child_name(GTK_STACK(stack), "properties");
     gtk_stack_switcher_set_stack(GTK_STACK_SWITCHER(switcher), GTK_STACK(stack));
     gtk_box_layout_set_homogeneous(GTK_BOX_LAYOUT(gtk_widget_get_layout_manager(switcher)), FALSE);
@@ -69,12 +72,10 @@ GtkWidget *tinker_side_panel_new(TinkerDocument *document, TinkerPlayer *player,
     g_object_set_data(G_OBJECT(paned), STACK, stack);
     g_object_set_data(G_OBJECT(paned), OUTLINE, outline);
     g_object_set_data(G_OBJECT(paned), PROPERTIES, properties);
-    gtk_widget_set_size_request(properties, -1, PROPERTIES_HEIGHT);
     gtk_widget_set_size_request(outline, -1, OUTLINE_HEIGHT);
     gtk_paned_set_start_child(GTK_PANED(paned), pages);
     gtk_paned_set_end_child(GTK_PANED(paned), outline);
     gtk_paned_set_shrink_start_child(GTK_PANED(paned), FALSE);
-    gtk_paned_set_shrink_end_child(GTK_PANED(paned), FALSE);
     gtk_paned_set_resize_end_child(GTK_PANED(paned), FALSE);
     gtk_widget_set_vexpand(paned, TRUE);
     gtk_widget_add_css_class(paned, "side-panel");
