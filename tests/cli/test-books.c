@@ -228,27 +228,33 @@ static void test_small_picture(CliFixture *fixture, gconstpointer data)
     }
 }
 
-/* What only turns a body is drawn: the picture is another one where the torque has the other sign. */
+static gsize differences_above_list(cairo_surface_t *one, cairo_surface_t *other)
+{
+    const gsize size = (gsize)cairo_image_surface_get_stride(one) * 620;
+    const unsigned char *left = cairo_image_surface_get_data(one), *right = cairo_image_surface_get_data(other);
+    gsize differences = 0;
+    for (gsize i = 0; i < size * 2 / 3; i++)
+        differences += left[i] != right[i];
+    return differences;
+}
+
+/* What only turns a body is drawn: the other way round it is another arrow, and more of it another number there. */
 static void test_torque_picture(CliFixture *fixture, gconstpointer data)
 {
-    cairo_surface_t *pictures[2];
-    for (int i = 0; i < 2; i++) {
+    static const int amplitudes[] = {2, -2, 3};
+    cairo_surface_t *pictures[G_N_ELEMENTS(amplitudes)];
+    for (gsize i = 0; i < G_N_ELEMENTS(amplitudes); i++) {
         g_autofree char *torque = g_strdup_printf(
             SCENE("{\"type\": \"disc\", \"name\": \"Bob\"},"
                   "{\"type\": \"torque\", \"name\": \"Torque\", \"ends\": [\"Bob\"], \"amplitude\": %d}"),
-            i == 0 ? 2 : -2);
+            amplitudes[i]);
         g_autofree char *path = cli_write(fixture, "scene.json", torque);
         pictures[i] = draw_diagram(fixture, "0", "900x620");
+        g_assert_cmpint(cairo_image_surface_get_height(pictures[i]), ==, 620);
     }
-    const gsize size = (gsize)cairo_image_surface_get_stride(pictures[0]) * 620;
-    g_assert_cmpint(cairo_image_surface_get_height(pictures[1]), ==, 620);
-    const unsigned char *one = cairo_image_surface_get_data(pictures[0]),
-                        *other = cairo_image_surface_get_data(pictures[1]);
-    gsize above = 0; /* the list, where the numbers are others */
-    for (gsize i = 0; i < size * 2 / 3; i++)
-        above += one[i] != other[i];
-    g_assert_cmpint(above, >, 100);
-    for (int i = 0; i < 2; i++)
+    g_assert_cmpuint(differences_above_list(pictures[0], pictures[1]), >, 100);
+    g_assert_cmpuint(differences_above_list(pictures[0], pictures[2]), >, 20);
+    for (gsize i = 0; i < G_N_ELEMENTS(amplitudes); i++)
         cairo_surface_destroy(pictures[i]);
 }
 

@@ -243,6 +243,14 @@ static void draw_turn(cairo_t *cairo, const double at[2], double radius, double 
     cairo_fill(cairo);
 }
 
+/* What stands at one; see label_of. (transfer full) */
+static char *turn_label_of(const DiagramDrawing *drawing, const char *name, double torque)
+{
+    if (drawing->brief) return g_strdup(name);
+    g_autofree char *value = diagram_torque_text(drawing, fabs(torque));
+    return g_strdup_printf("%s  %s", name, value);
+}
+
 /* Where they stand: the middle of the body, the radius of the innermost, and the box that their labels take. */
 typedef struct {
     double at[2], least, labels[4];
@@ -258,9 +266,10 @@ static Turns turns_of(const Part *part, gboolean kinetic)
                                                            : 0};
     tinker_view_to_canvas(part->view, diagram->centre[0], diagram->centre[1], &turns.at[0], &turns.at[1]);
     const double half = 0.5 * DIAGRAM_ROW * turns.count;
+    const double half_label = (part->drawing->brief ? 1 : 3) * DIAGRAM_ROW;
     const double beside = turns.at[0] + turns.least + TURN_STEP * turns.count, below = turns.at[1] + turns.least;
     const double boxes[2][4] = {{beside, turns.at[1] - half, part->view->width, turns.at[1] + half},
-                                {turns.at[0] - DIAGRAM_ROW, below, turns.at[0] + DIAGRAM_ROW, below + DIAGRAM_ROW}};
+                                {turns.at[0] - half_label, below, turns.at[0] + half_label, below + DIAGRAM_ROW}};
     if (turns.count > 0) memcpy(turns.labels, boxes[kinetic], sizeof turns.labels);
     return turns;
 }
@@ -273,15 +282,19 @@ static void draw_torques(const Part *part, const Turns *turns, gboolean kinetic)
     if (kinetic && turns->count > 0) {
         draw_turn(drawing->cairo, turns->at, turns->least, drawing->picture->diagram->turning,
                   tinker_arrow_colour(theme, TINKER_ARROW_MOTION));
-        diagram_write(drawing, (TinkerText){.text = "I α", .size = DIAGRAM_TEXT, .anchor_x = 0.5}, turns->at[0],
+        g_autofree char *label = turn_label_of(drawing, "I α", drawing->picture->diagram->turning);
+        diagram_write(drawing, (TinkerText){.text = label, .size = DIAGRAM_TEXT, .anchor_x = 0.5}, turns->at[0],
                       turns->labels[1]);
     }
     for (guint i = 0; !kinetic && i < turns->count; i++) {
         const TinkerDiagramForce *torque = &g_array_index(drawing->torques, TinkerDiagramForce, i);
         g_autofree char *number = g_strdup_printf("%u", drawing->forces->len + i + 1);
         const char *name = drawing->numbered ? number : tinker_scene_block_name(drawing->scene, torque->from);
-        const TinkerText label = {
-            .text = name, .size = DIAGRAM_TEXT, .limit = fmax(turns->labels[2] - turns->labels[0] - TURN_HEAD, 1)};
+        g_autofree char *text = turn_label_of(drawing, name, torque->torque);
+        const TinkerText label = {.text = text,
+                                  .keeps_end = TRUE,
+                                  .size = DIAGRAM_TEXT,
+                                  .limit = fmax(turns->labels[2] - turns->labels[0] - TURN_HEAD, 1)};
         draw_turn(drawing->cairo, turns->at, turns->least + TURN_STEP * i, torque->torque,
                   tinker_arrow_colour(theme, diagram_arrow_kind(torque->kind)));
         diagram_write(drawing, label, turns->labels[0] + 0.5 * TURN_HEAD, turns->labels[1] + DIAGRAM_ROW * i);
