@@ -150,12 +150,12 @@ static void test_patience(void)
 /* Of large items a finder gets far ahead of a doer that stands still, and then no farther: its memory has a bound. */
 static void test_far_ahead(void)
 {
-    enum { COUNT = 20000, FAR = 200, TOO_FAR = 1000 };
+    enum { COUNT = 20000, FEW = 10, FAR = 200, TOO_FAR = 1000 };
     tinker_share_set_threads(2);
     Doer doer = {.finder = g_thread_self()};
     TinkerRelay *relay = tinker_relay_new(bytes_of(COUNT), TRUE, do_item, &doer);
     gint64 added = 0;
-    while (doer.elsewhere == 0) /* until a thread is there */
+    while (added < FEW) /* the first batches are done here */
         g_assert_true(add(relay, added++, COUNT, NULL));
     g_atomic_int_set(&doer.held, 1);
     const gint64 before = added;
@@ -167,6 +167,7 @@ static void test_far_ahead(void)
     g_assert_true(add(relay, added++, COUNT, NULL));
     g_assert_true(tinker_relay_finish(relay, NULL, NULL));
     g_assert_cmpint(doer.done, ==, added);
+    g_assert_cmpint(doer.elsewhere, >, FAR);
     g_assert_cmpint(doer.wrong, ==, 0);
     tinker_relay_free(relay);
 }

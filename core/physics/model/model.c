@@ -3,7 +3,11 @@
 
 #include "physics/model/model-data.h"
 
-G_DEFINE_QUARK(tinker_model_error_quark, tinker_model_error)
+/* Two runs may fail on two threads at once, and what G_DEFINE_QUARK keeps would be written by both. */
+GQuark tinker_model_error_quark(void)
+{
+    return g_quark_from_static_string("tinker-model-error-quark");
+}
 
 const GPtrArray *tinker_model_warnings(const TinkerModel *model)
 {
