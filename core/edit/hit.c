@@ -35,12 +35,20 @@ TinkerHit tinker_hit(TinkerFrame *frame, double x, double y, double reach, Tinke
     return whole;
 }
 
+static gboolean is_body(const TinkerBlockClass *block_class)
+{
+    return block_class != NULL && block_class->physics != NULL && block_class->physics->body != NULL;
+}
+
+static gboolean can_move(const TinkerBlockClass *block_class)
+{
+    return is_body(block_class) && block_class->physics->body->degrees_of_freedom > 0;
+}
+
 /* Whether the type's ends may be attached to this body. */
 static gboolean accepts(const TinkerBlockType *type, const TinkerBlockClass *body)
 {
-    if (body == NULL || body->physics == NULL || body->physics->body == NULL) return FALSE;
-    gboolean moves = body->physics->body->degrees_of_freedom > 0;
-    return (type->end_accepts & (moves ? TINKER_ACCEPTS_BODY : TINKER_ACCEPTS_SUPPORT)) != 0;
+    return is_body(body) && (type->end_accepts & (can_move(body) ? TINKER_ACCEPTS_BODY : TINKER_ACCEPTS_SUPPORT)) != 0;
 }
 
 int32_t edit_hit_connectables(TinkerFrame *frame, TinkerBlockId connector, double x, double y, double reach,
@@ -67,13 +75,6 @@ TinkerBlockId tinker_hit_connectable(TinkerFrame *frame, TinkerBlockId connector
 {
     TinkerBlockId block;
     return edit_hit_connectables(frame, connector, x, y, reach, &block, 1) > 0 ? block : TINKER_NO_BLOCK;
-}
-
-static gboolean can_move(TinkerScene *scene, TinkerBlockId block)
-{
-    const TinkerBlockClass *block_class = tinker_scene_block_class(scene, block);
-    return block_class != NULL && block_class->physics != NULL && block_class->physics->body != NULL &&
-           block_class->physics->body->degrees_of_freedom > 0;
 }
 
 /* Whether all ends are attached, and whether they lie within so much of the first one. */
@@ -107,7 +108,7 @@ static TinkerBlockId body_beneath(TinkerFrame *frame, TinkerBlockId connector, d
     TinkerBlockId under[MOST_UNDER], first = TINKER_NO_BLOCK;
     const int32_t count = edit_hit_connectables(frame, connector, x, y, reach, under, MOST_UNDER);
     for (int32_t i = 0; i < count; i++) {
-        if (!can_move(scene, under[i])) continue;
+        if (!can_move(tinker_scene_block_class(scene, under[i]))) continue;
         if (is_on(scene, connector, under[i])) return under[i];
         if (first == TINKER_NO_BLOCK) first = under[i];
     }
@@ -118,7 +119,7 @@ static TinkerBlockId first_of_ends(TinkerScene *scene, TinkerBlockId connector)
 {
     for (int32_t k = 0; k < tinker_scene_end_count(scene, connector); k++) {
         const TinkerBlockId on = tinker_scene_end(scene, connector, k).block;
-        if (can_move(scene, on)) return on;
+        if (on != TINKER_NO_BLOCK && can_move(tinker_scene_block_class(scene, on))) return on;
     }
     return TINKER_NO_BLOCK;
 }

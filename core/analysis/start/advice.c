@@ -228,9 +228,9 @@ static void on_wound_ends(GPtrArray *all, TinkerScene *scene, TinkerBlockId bloc
     advice->repair = g_strdup(_("Swap its ends"));
 }
 
-static void on_small_wheels(GPtrArray *all, TinkerScene *scene, TinkerBlockId block)
+static void on_small_wheels(GPtrArray *all, TinkerScene *scene)
 {
-    g_autoptr(GArray) wheels = tinker_small_wheels_of(scene, block);
+    g_autoptr(GArray) wheels = tinker_small_wheels_of(scene);
     for (guint i = 0; i < wheels->len; i++) {
         const TinkerSmallWheel *wheel = &g_array_index(wheels, TinkerSmallWheel, i);
         if (!wheel->is_round) continue;
@@ -305,8 +305,7 @@ GPtrArray *tinker_advice_new(TinkerScene *scene)
     }
     if (all->len == 0) on_model(all, frame); /* which would say the first of these again */
     on_overlaps(all, frame);
-    for (int32_t i = 0; i < tinker_scene_block_count(scene); i++)
-        on_small_wheels(all, scene, tinker_scene_block_at(scene, i));
+    on_small_wheels(all, scene);
     on_meeting(all, frame);
     return all;
 }

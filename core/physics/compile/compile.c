@@ -115,12 +115,10 @@ gboolean tinker_model_compile_parts(TinkerModel *model, GError **error)
 
 static void tell_small_wheels(TinkerModel *model)
 {
-    for (int32_t i = 0; i < tinker_scene_block_count(model->scene); i++) {
-        g_autoptr(GArray) wheels = tinker_small_wheels_of(model->scene, tinker_scene_block_at(model->scene, i));
-        for (guint k = 0; k < wheels->len; k++) {
-            const TinkerSmallWheel *wheel = &g_array_index(wheels, TinkerSmallWheel, k);
-            if (wheel->is_round) g_ptr_array_add(model->warnings, tinker_small_wheel_text(model->scene, wheel));
-        }
+    g_autoptr(GArray) wheels = tinker_small_wheels_of(model->scene);
+    for (guint i = 0; i < wheels->len; i++) {
+        const TinkerSmallWheel *wheel = &g_array_index(wheels, TinkerSmallWheel, i);
+        if (wheel->is_round) g_ptr_array_add(model->warnings, tinker_small_wheel_text(model->scene, wheel));
     }
 }
 
@@ -131,7 +129,7 @@ static gboolean compile(TinkerModel *model, GError **error)
     model->contacts = tinker_contacts_new(model);
     if (!tinker_model_check_start(model, error)) return FALSE;
     if (model->part) return TRUE;
-    tell_small_wheels(model);
+    if (model->turning > 0) tell_small_wheels(model);
     if (model->contacts == NULL) return TRUE;
     tinker_model_set_state(model, model->q_start, model->v_start);
     const guint before = model->warnings->len;

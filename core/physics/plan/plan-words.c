@@ -100,14 +100,12 @@ static gboolean has_long_outline(const TinkerModel *model)
 /* What a rope goes over it does not turn, which its picture does not show. */
 static void describe_wheels(TinkerPlan *plan, const TinkerModel *model)
 {
-    for (int32_t i = 0; model->turning > 0 && i < tinker_scene_block_count(model->scene); i++) {
-        g_autoptr(GArray) wheels = tinker_small_wheels_of(model->scene, tinker_scene_block_at(model->scene, i));
-        if (wheels->len == 0) continue;
-        const TinkerSmallWheel *wheel = &g_array_index(wheels, TinkerSmallWheel, 0);
-        say(plan->left_out, _("turning of wheels by ropes: %s slides over %s (cords wound on it turn it)"),
-            tinker_scene_block_name(model->scene, wheel->over), tinker_scene_block_name(model->scene, wheel->body));
-        return;
-    }
+    if (model->turning == 0) return;
+    g_autoptr(GArray) wheels = tinker_small_wheels_of(model->scene);
+    if (wheels->len == 0) return;
+    const TinkerSmallWheel *wheel = &g_array_index(wheels, TinkerSmallWheel, 0);
+    say(plan->left_out, _("turning of wheels by ropes: %s slides over %s (cords wound on it turn it)"),
+        tinker_scene_block_name(model->scene, wheel->over), tinker_scene_block_name(model->scene, wheel->body));
 }
 
 static void describe_bodies(TinkerPlan *plan, const TinkerModel *model, const TinkerRunOptions *options)

@@ -21,9 +21,8 @@ static gboolean turns(const TinkerBlockClass *block_class)
            block_class->physics->body->degrees_of_freedom == 3;
 }
 
-GArray *tinker_small_wheels_of(TinkerScene *scene, TinkerBlockId block)
+static void add_wheels(GArray *wheels, TinkerScene *scene, TinkerBlockId block)
 {
-    GArray *wheels = g_array_new(FALSE, FALSE, sizeof(TinkerSmallWheel));
     const int32_t last = goes_over(scene, block) ? tinker_scene_end_count(scene, block) - 1 : 0;
     for (int32_t k = 1; k < last; k++) {
         const TinkerSceneEnd end = tinker_scene_end(scene, block, k);
@@ -32,6 +31,13 @@ GArray *tinker_small_wheels_of(TinkerScene *scene, TinkerBlockId block)
         const TinkerSmallWheel wheel = {block, end.block, on->meanings[TINKER_MEANING_RADIUS] >= 0};
         g_array_append_val(wheels, wheel);
     }
+}
+
+GArray *tinker_small_wheels_of(TinkerScene *scene)
+{
+    GArray *wheels = g_array_new(FALSE, FALSE, sizeof(TinkerSmallWheel));
+    for (int32_t i = 0; i < tinker_scene_block_count(scene); i++)
+        add_wheels(wheels, scene, tinker_scene_block_at(scene, i));
     return wheels;
 }
 

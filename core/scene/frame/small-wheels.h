@@ -12,8 +12,8 @@ typedef struct {
     gboolean is_round;  /* it has a radius */
 } TinkerSmallWheel;
 
-/* Those of one block, or none; of TinkerSmallWheel. (transfer full) */
-GArray *tinker_small_wheels_of(TinkerScene *scene, TinkerBlockId block);
+/* Those of all blocks, in their order; of TinkerSmallWheel. (transfer full) */
+GArray *tinker_small_wheels_of(TinkerScene *scene);
 
 /* Of a round one one sentence, translated: where, what happens, what would be right. (transfer full) */
 char *tinker_small_wheel_text(TinkerScene *scene, const TinkerSmallWheel *wheel);
