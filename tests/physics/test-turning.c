@@ -102,7 +102,8 @@ static void test_thrown(void)
     g_autoptr(PhysicsRun) run =
         physics_run(&(PhysicsOptions){.duration = 10,
                                       .columns = "Box 0.angle, Box 0.angular velocity, Box 0.y, "
-                                                 "Box 0.rotational energy, Box 0.angular momentum"},
+                                                 "Box 0.rotational energy, Box 0.angular momentum, Box 0.speed, "
+                                                 "Box 0.acceleration, Box 0.x momentum, Box 0.y momentum"},
                     "{'type': 'gravity'}, {'type': 'box', 'mass': 3, 'width': 0.6, 'height': 0.8, 'orientation': 0.25,"
                     " 'velocity': [1, 20], 'angular_velocity': 7, 'solid': false}");
     const double inertia = 3 * (0.6 * 0.6 + 0.8 * 0.8) / 12;
@@ -113,6 +114,10 @@ static void test_thrown(void)
         physics_assert_near("y", physics_value(run, i, 2), 20 * t - GRAVITY / 2 * t * t, 1e-10);
         physics_assert_near("energy", physics_value(run, i, 3), inertia * 49 / 2, 1e-12);
         physics_assert_near("momentum", physics_value(run, i, 4), inertia * 7, 1e-12);
+        physics_assert_near("speed", physics_value(run, i, 5), hypot(1, 20 - GRAVITY * t), 1e-10);
+        physics_assert_near("acceleration", physics_value(run, i, 6), GRAVITY, 1e-12);
+        physics_assert_near("m vx", physics_value(run, i, 7), 3, 1e-12);
+        physics_assert_near("m vy", physics_value(run, i, 8), 3 * (20 - GRAVITY * t), 1e-10);
     }
 }
 

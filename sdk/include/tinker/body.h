@@ -115,7 +115,22 @@ enum {
         TINKER_QUANTITY(0, "translational energy", "Translational Energy", "m v^2 / 2", TINKER_DIMENSION_ENERGY),      \
         TINKER_QUANTITY(0, "rotational energy", "Rotational Energy", "I w^2 / 2", TINKER_DIMENSION_ENERGY),            \
         TINKER_QUANTITY(0, "angular momentum", "Angular Momentum", "I w, about the centre of mass", {1, 2, -1, 0}),    \
-        TINKER_CONTACT_QUANTITIES
+        TINKER_CONTACT_QUANTITIES,                                                                                     \
+        TINKER_QUANTITY(0, "speed", "Speed", "Magnitude of the velocity", TINKER_DIMENSION_VELOCITY),                  \
+        TINKER_QUANTITY(0, "acceleration", "Acceleration", "Magnitude of the acceleration",                            \
+                        TINKER_DIMENSION_ACCELERATION),                                                                \
+        TINKER_QUANTITY(0, "x momentum", "X Momentum", "m vx", TINKER_DIMENSION_MOMENTUM),                             \
+        TINKER_QUANTITY(0, "y momentum", "Y Momentum", "m vy", TINKER_DIMENSION_MOMENTUM)
+
+/* What they tell of the centre of mass alone, from 16 on: as of a point mass. */
+static inline double tinker_body_centre_value(const TinkerPoint *centre, const double *acceleration, double mass,
+                                              int32_t quantity)
+{
+    return quantity == 16   ? tinker_length(centre->vx, centre->vy)
+           : quantity == 17 ? tinker_length(acceleration[0], acceleration[1])
+           : quantity == 18 ? mass * centre->vx
+                            : mass * centre->vy;
+}
 
 /* TinkerGraph.values of a block with these properties and quantities. */
 static inline TinkerStatus tinker_body_values(TinkerBatch *batch, const TinkerGraphInput *input, int32_t quantity,
@@ -125,7 +140,12 @@ static inline TinkerStatus tinker_body_values(TinkerBatch *batch, const TinkerGr
     const double *mass = tinker_column(batch, TINKER_BODY_MASS), *inertia = tinker_column(batch, TINKER_BODY_INERTIA);
     const TinkerPose *poses = TINKER_HAS(TinkerGraphInput, input, poses) ? input->poses : NULL;
     if (quantity < 8 && of_point[quantity] >= 0) return tinker_point_values(batch, input, of_point[quantity], values);
-    if (quantity >= 13) return tinker_contact_values(batch, input, quantity - 13, values);
+    if (quantity >= 13 && quantity < 16) return tinker_contact_values(batch, input, quantity - 13, values);
+    if (quantity >= 16) {
+        for (int32_t i = 0; i < batch->count; i++)
+            values[i] = tinker_body_centre_value(&input->ends[i], &input->accelerations[2 * i], mass[i], quantity);
+        return TINKER_OK;
+    }
     if (poses == NULL) return tinker_fail(batch, 0, "angles are not known yet");
     for (int32_t i = 0; i < batch->count; i++) {
         const TinkerPoint *point = &input->ends[i];
@@ -151,8 +171,9 @@ static inline TinkerStatus tinker_body_values(TinkerBatch *batch, const TinkerGr
 /* The units that its quantities are shown in at first. */
 #define TINKER_BODY_UNITS                                                                                              \
     {"orientation", "deg", "deg"}, {"kinetic energy", "J", "lbf*ft"}, {"translational energy", "J", "lbf*ft"},         \
+        {"rotational energy", "J", "lbf*ft"}, {"x momentum", "kg*m/s", "slug*ft/s"},                                   \
     {                                                                                                                  \
-        "rotational energy", "J", "lbf*ft"                                                                             \
+        "y momentum", "kg*m/s", "slug*ft/s"                                                                            \
     }
 
 #ifdef __cplusplus
