@@ -298,6 +298,46 @@ static void test_bounds(void)
     test_stage_close(&stage);
 }
 
+/* The bounds of a scene of 10 m with these blocks. */
+static void bounds_of(const char *blocks, double box[4])
+{
+    TestStage stage;
+    test_stage_open(&stage, blocks);
+    tinker_painter_bounds(stage.frame, box);
+    test_stage_close(&stage);
+}
+
+/* Of a floor of a kilometre as much is seen as lies about the body on it, wherever on it that is; one of 9 m is seen
+ * wholly, and so is a long one with nothing else there. */
+static void test_bounds_with_a_long_floor(void)
+{
+    static const double at[] = {0, 300, -499};
+    double box[4];
+    for (gsize i = 0; i < G_N_ELEMENTS(at); i++) {
+        g_autofree char *blocks = g_strdup_printf("{'type': 'support', 'width': 1000, 'position': [0, -0.2]},"
+                                                  "{'type': 'mass', 'position': [%g, 0.4]}",
+                                                  at[i]);
+        g_strdelimit(blocks, "'", '"');
+        bounds_of(blocks, box);
+        g_assert_cmpfloat(box[0], <=, at[i] - 0.4);
+        g_assert_cmpfloat(box[2], >=, at[i] + 0.4);
+        g_assert_cmpfloat(box[2] - box[0], >=, 10);
+        g_assert_cmpfloat(fmax(box[2] - box[0], box[3] - box[1]), <, 13);
+        g_assert_cmpfloat(box[1], <=, -0.4);
+    }
+    bounds_of("{\"type\": \"support\", \"width\": 9}, {\"type\": \"mass\", \"position\": [4, 0.6]}", box);
+    g_assert_cmpfloat(box[0], <=, -4.5);
+    g_assert_cmpfloat(box[2], >=, 4.5);
+    bounds_of("{\"type\": \"support\", \"width\": 1000}", box);
+    g_assert_cmpfloat(box[2] - box[0], >=, 1000);
+    /* A steep one, too; and a body far beside the end of one: both are in it. */
+    bounds_of("{\"type\": \"support\", \"width\": 1000, \"orientation\": \"30 deg\"}, {\"type\": \"mass\"}", box);
+    g_assert_cmpfloat(fmax(box[2] - box[0], box[3] - box[1]), <, 13);
+    bounds_of("{\"type\": \"support\", \"width\": 1000}, {\"type\": \"mass\", \"position\": [600, 0]}", box);
+    g_assert_cmpfloat(box[0], <=, 500);
+    g_assert_cmpfloat(box[2], >=, 600);
+}
+
 static void test_file_is_deterministic(void)
 {
     g_autofree char *folder = g_dir_make_tmp("tinker-painter-XXXXXX", NULL);
@@ -361,6 +401,7 @@ static void add_tests(void)
     g_test_add_func("/render/painter/placeholder", test_placeholder);
     g_test_add_func("/render/painter/wild-views", test_wild_views);
     g_test_add_func("/render/painter/bounds", test_bounds);
+    g_test_add_func("/render/painter/bounds-with-a-long-floor", test_bounds_with_a_long_floor);
     g_test_add_func("/render/painter/file-is-deterministic", test_file_is_deterministic);
     g_test_add_func("/render/painter/recording", test_recording);
 }

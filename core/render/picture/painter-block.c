@@ -81,11 +81,13 @@ gboolean tinker_piece_box(const TinkerPiece *piece, const TinkerStyle *style, do
     return tinker_style_finite(box, 4) && box[0] <= box[2] && box[1] <= box[3];
 }
 
-/* A body's size, or the length that a connector keeps or tends to. */
-static double size_of(const TinkerPiece *piece)
+/* A body's size, or the length that a connector keeps or tends to; what is longer than the scene says to be wide counts
+ * as so long. */
+static double size_of(const TinkerPiece *piece, double canvas_width)
 {
     if (piece->kind == TINKER_PIECE_BODY) {
         double size = fmax(piece->width, piece->height);
+        if (canvas_width > 0) size = fmin(size, canvas_width);
         return piece->width > 0 && piece->height > 0 ? fmax(fmin(piece->width, piece->height), size / 4) : size;
     }
     return piece->kind == TINKER_PIECE_CONNECTOR ? column_of(piece, TINKER_MEANING_LENGTH) / 2 : 0;
@@ -100,6 +102,7 @@ static int compare_doubles(gconstpointer a, gconstpointer b)
 double tinker_frame_typical_size(TinkerFrame *frame)
 {
     TinkerScene *scene = tinker_frame_scene(frame);
+    const double canvas_width = tinker_scene_head(scene)->canvas_width;
     int32_t count = tinker_scene_block_count(scene);
     int32_t stride = MAX(count / SIZE_SAMPLES, 1);
     double sizes[2 * SIZE_SAMPLES];
@@ -107,7 +110,7 @@ double tinker_frame_typical_size(TinkerFrame *frame)
     for (int32_t place = 0; place < count && samples < 2 * SIZE_SAMPLES; place += stride) {
         TinkerPiece piece;
         tinker_piece_init(&piece, frame, tinker_scene_block_at(scene, place));
-        double size = size_of(&piece);
+        double size = size_of(&piece, canvas_width);
         if (size > 0) sizes[samples++] = size;
     }
     if (!samples) return 0;

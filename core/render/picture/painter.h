@@ -41,7 +41,8 @@ TinkerPaintOptions tinker_paint_options_default(void);
 /* Widens a box (least x and y, greatest x and y) to hold another as well. */
 void tinker_painter_unite(double box[4], const double other[4]);
 
-/* The world box that shows everything in the frame, drawings' bounds included. */
+/* The world box that shows everything in the frame, drawings' bounds included; of a plate that is far longer than all
+ * else as much as lies about that. */
 void tinker_painter_bounds(TinkerFrame *frame, double box[4]);
 
 /* The world boxes of the drawings in a view, of double[4] as above, in drawing order; fields have none. The frame's
