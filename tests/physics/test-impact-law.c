@@ -51,6 +51,9 @@ static void test_three_balls(void)
         g_assert_cmpuint(run->summary->warnings->len, ==, 1);
         g_assert_true(g_str_has_prefix(g_ptr_array_index(run->summary->warnings, 0),
                                        "the outcome depends on the impact law: at 0.3 s"));
+        g_autofree char *told = tinker_summary_told_of_laws(g_ptr_array_index(run->summary->warnings, 0));
+        g_assert_true(g_str_has_suffix(told, "one blow after the other differ"));
+        g_assert_null(tinker_summary_told_of_laws("the outcome is another one (try it)"));
     }
 }
 

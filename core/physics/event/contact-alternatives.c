@@ -1,5 +1,4 @@
 /* Where several contacts close at once and the laws of impact differ, how the bodies would go on by each of them. */
-#include <glib/gi18n-lib.h>
 #include <math.h>
 #include <string.h>
 
@@ -60,15 +59,9 @@ static void add_bodies(TinkerContactChange *change, const char *law, const doubl
 
 static void warn_once(const TinkerContactChange *change)
 {
-    TinkerSummary *summary = &change->run->run->summary;
     if (change->run->warned) return;
     change->run->warned = TRUE;
-    tinker_summary_warn_of_scene(
-        summary, g_strdup_printf(_("the outcome depends on the impact law: at %.6g s several contacts close at once, "
-                                   "and \"newton\", \"poisson\" and \"sequential\" differ (the run's law of impact "
-                                   "chooses, impact_law in the scene; the events of the summary tell the velocities by "
-                                   "each)"),
-                                 change->run->run->state.t));
+    tinker_summary_warn_of_laws(&change->run->run->summary, change->run->run->state.t);
 }
 
 void tinker_change_note_alternatives(TinkerContactChange *change, const TinkerImpact *impact, const int32_t *pair,

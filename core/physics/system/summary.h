@@ -69,4 +69,11 @@ typedef struct {
 /* Adds a warning that is about the scene itself (transfer full): no other method would spare it. */
 void tinker_summary_warn_of_scene(TinkerSummary *summary, char *text);
 
+/* Adds the warning that the outcome depends on the law of impact, from the time `t` (s) on. */
+void tinker_summary_warn_of_laws(TinkerSummary *summary, double t);
+
+/* What that warning says without the key of the scene that chooses the law, for those who offer another one themselves;
+ * NULL where a warning is another one. (transfer full) */
+char *tinker_summary_told_of_laws(const char *warning);
+
 #endif

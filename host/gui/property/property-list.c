@@ -14,6 +14,18 @@ static int compare_rows(const void *left, const void *right)
     return by_group != 0 ? by_group : by_title != 0 ? by_title : l->component - r->component;
 }
 
+/* (transfer full) */
+static char *id_of(const char *name, TinkerRowKind kind, int number)
+{
+    return g_strdup_printf("%s/%d/%d", name, (int)kind, number);
+}
+
+char *tinker_property_law_of_impact_id(void)
+{
+    g_autofree char *name = g_strdup_printf("%s/%s", tinker_property_group_folded(), property_law_of_impact());
+    return id_of(name, TINKER_ROW_CHOICE, 0);
+}
+
 /* Rows of one title in one group are told apart by a number. */
 static void name_rows(GPtrArray *rows)
 {
@@ -22,7 +34,7 @@ static void name_rows(GPtrArray *rows)
         TinkerPropertyRow *row = g_ptr_array_index(rows, i);
         char *name = g_strdup_printf("%s/%s", row->group, row->title);
         const int number = GPOINTER_TO_INT(g_hash_table_lookup(numbers, name));
-        row->id = g_strdup_printf("%s/%d/%d", name, (int)row->kind, number);
+        row->id = id_of(name, row->kind, number);
         g_hash_table_replace(numbers, name, GINT_TO_POINTER(number + 1));
     }
 }

@@ -89,4 +89,7 @@ gboolean tinker_property_row_choose_file(TinkerDocument *document, const TinkerP
 /* The title of the group that is closed until somebody opens it: how the motion is computed. Borrowed. */
 const char *tinker_property_group_folded(void);
 
+/* The id of the row in it that chooses the law of impact. (transfer full) */
+char *tinker_property_law_of_impact_id(void);
+
 #endif

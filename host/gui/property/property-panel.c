@@ -36,7 +36,8 @@ struct _TinkerPropertyPanel {
     gboolean trims;
     TinkerModesTask *modes;
     gboolean wants_modes;
-    gboolean focus; /* the next time it is refreshed it takes the focus */
+    gboolean focus;   /* the next time it is refreshed it takes the focus, */
+    char *focused_id; /* with this row, NULL: the first */
 };
 
 G_DEFINE_FINAL_TYPE(TinkerPropertyPanel, tinker_property_panel, GTK_TYPE_WIDGET)
@@ -172,6 +173,16 @@ static void refresh(TinkerPropertyPanel *panel)
     panel->last = g_get_monotonic_time();
 }
 
+/* Of the group that is closed at first: what is closed is in no window. */
+static void focus_row(TinkerPropertyPanel *panel, const char *id)
+{
+    const Field *field = g_hash_table_lookup(panel->field_of, id);
+    const Group *group = g_hash_table_lookup(panel->group_of, tinker_property_group_folded());
+    if (field == NULL || group == NULL) return;
+    gtk_expander_set_expanded(GTK_EXPANDER(group->expander), TRUE);
+    gtk_widget_grab_focus(field->field);
+}
+
 static void focus_first(TinkerPropertyPanel *panel)
 {
     GtkWidget *expander = gtk_widget_get_first_child(panel->groups);
@@ -188,7 +199,11 @@ static gboolean on_refresh(gpointer data)
     TinkerPropertyPanel *panel = data;
     panel->refresh = 0;
     refresh(panel);
-    if (panel->focus) focus_first(panel);
+    if (panel->focus && panel->focused_id != NULL)
+        focus_row(panel, panel->focused_id);
+    else if (panel->focus)
+        focus_first(panel);
+    g_clear_pointer(&panel->focused_id, g_free);
     panel->focus = FALSE;
     return G_SOURCE_REMOVE;
 }
@@ -232,6 +247,13 @@ void tinker_property_panel_focus(TinkerPropertyPanel *panel)
 {
     panel->focus = TRUE;
     refresh_soon(panel);
+}
+
+void tinker_property_panel_focus_law_of_impact(TinkerPropertyPanel *panel)
+{
+    g_free(panel->focused_id);
+    panel->focused_id = tinker_property_law_of_impact_id();
+    tinker_property_panel_focus(panel);
 }
 
 /* The widget ----------------------------------------------------------------------------------------------------------
@@ -307,6 +329,7 @@ static void tinker_property_panel_dispose(GObject *object)
     g_clear_object(&panel->document);
     g_clear_object(&panel->player);
     g_clear_object(&panel->modes);
+    g_clear_pointer(&panel->focused_id, g_free);
     g_clear_pointer(&panel->group_of, g_hash_table_unref);
     g_clear_pointer(&panel->field_of, g_hash_table_unref);
     g_clear_pointer(&panel->closed, g_hash_table_unref);

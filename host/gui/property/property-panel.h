@@ -19,4 +19,7 @@ void tinker_property_panel_set_modes(TinkerPropertyPanel *panel, TinkerModesTask
 /* Puts the keyboard focus on the first property. */
 void tinker_property_panel_focus(TinkerPropertyPanel *panel);
 
+/* Opens the group in which the law of impact is, where the scene's properties are shown, and puts the focus on it. */
+void tinker_property_panel_focus_law_of_impact(TinkerPropertyPanel *panel);
+
 #endif

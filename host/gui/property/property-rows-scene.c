@@ -269,6 +269,11 @@ const char *tinker_property_group_folded(void)
     return _("Computation");
 }
 
+const char *property_law_of_impact(void)
+{
+    return _("Law of Impact");
+}
+
 /* How contacts are stepped, and what several do that close at once. */
 static void add_contacts(PropertyBuilder *builder)
 {
@@ -284,7 +289,7 @@ static void add_contacts(PropertyBuilder *builder)
     int chosen = 0;
     while (tinker_impact_law_names[chosen] != NULL && !g_str_equal(run->impact_law, tinker_impact_law_names[chosen]))
         chosen++;
-    add_choice(builder, _("Computation"), _("Law of Impact"),
+    add_choice(builder, _("Computation"), property_law_of_impact(),
                _("Of several contacts that close at once. Newton: each parts with its restitution times the speed of "
                  "approach. Poisson: with its restitution times the impulse that stopped it. One after the other: as "
                  "in a row of balls, of which the last flies off"),

@@ -50,6 +50,8 @@ void property_rows_add_table(PropertyBuilder *builder, const TinkerPropertyType 
 gboolean property_plays_no_part(const TinkerScene *scene, TinkerBlockId block, int32_t property);
 /* The heading that rows of a property stand under. */
 const char *property_group_of(const PropertyBuilder *builder, const TinkerPropertyType *type);
+/* The title of the row that chooses the law of impact; property-rows-scene.c. Borrowed. */
+const char *property_law_of_impact(void);
 /* Those of the scene; property-rows-scene.c. */
 void property_rows_add_scene(PropertyBuilder *builder);
 

@@ -4,8 +4,11 @@
 #include <math.h>
 
 #include "gui/document/run-choice.h"
+#include "gui/property/property-panel.h"
 #include "gui/text/sentence.h"
+#include "gui/window/side-panel.h"
 #include "gui/window/window-parts.h"
+#include "physics/system/summary.h"
 
 #define PAGE    "accuracy"
 #define REFRESH 200 /* ms: how often the line is brought up to date while something happens */
@@ -25,6 +28,17 @@ static void show_accuracy(void *data)
 {
     const TinkerWindow *window = data;
     adw_view_stack_set_visible_child_name(window->pages, PAGE);
+}
+
+/* Where it is chosen: among the properties of the scene. */
+static void show_law_of_impact(void *data)
+{
+    const TinkerWindow *window = data;
+    tinker_document_select(window->document, TINKER_NO_BLOCK);
+    adw_view_stack_set_visible_child_name(window->pages, "model");
+    gtk_widget_set_visible(GTK_WIDGET(window->panel_side), TRUE);
+    tinker_side_panel_show(window->side_panel, "properties");
+    tinker_property_panel_focus_law_of_impact(TINKER_PROPERTY_PANEL(window->properties));
 }
 
 static void add_notice(GPtrArray *notices, TinkerWindow *window, const char *warning, const char *button,
@@ -72,7 +86,10 @@ static void show_run_notices(TinkerWindow *window)
     for (guint i = 0; i < warnings->len; i++) {
         const char *warning = g_ptr_array_index(warnings, i);
         if (result != NULL && result->plan != NULL && is_among(result->plan->warnings, warning)) continue;
-        if (is_among(of_scene, warning))
+        g_autofree char *of_laws = tinker_summary_told_of_laws(warning);
+        if (of_laws != NULL)
+            add_notice(notices, window, of_laws, _("Choose the Law of Impact"), show_law_of_impact);
+        else if (is_among(of_scene, warning))
             add_notice(notices, window, warning, NULL, NULL);
         else
             add_notice(notices, window, warning, automatic ? _("Compare Methods") : _("Choose Automatically"),

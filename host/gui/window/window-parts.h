@@ -35,6 +35,7 @@ struct _TinkerWindow {
     AdwViewStack *pages;
     GtkBox *panel;
     GtkBox *palette_side, *panel_side; /* what folds away */
+    GtkWidget *side_panel;             /* what is in the right one */
     GtkWidget *properties;             /* the panel of properties */
     GtkWidget *equations;              /* the page of equations */
     GtkBox *dock;

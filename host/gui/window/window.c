@@ -166,14 +166,14 @@ static void connect_parts(TinkerWindow *window)
     GtkWidget *start = window_new_start_panel(window);
     window->equations = tinker_equations_page_new(window->document, window->player);
     g_autoptr(TinkerModesTask) modes = tinker_modes_task_new(window->document);
-    GtkWidget *side_panel =
+    window->side_panel =
         tinker_side_panel_new(window->document, window->player, start,
                               tinker_scene_card_new(window->document, window->plan), new_model_page(window, modes));
-    window->properties = tinker_side_panel_properties(side_panel);
+    window->properties = tinker_side_panel_properties(window->side_panel);
     tinker_property_panel_set_modes(TINKER_PROPERTY_PANEL(window->properties), modes);
     g_object_bind_property(window->properties, "trims", start, "trims", G_BINDING_SYNC_CREATE);
     window_add_switch(window, "trim-decimals", window->properties, "trims");
-    gtk_box_append(window->panel, side_panel);
+    gtk_box_append(window->panel, window->side_panel);
     g_signal_connect_object(window->player, "state-changed", G_CALLBACK(on_state_changed), window, G_CONNECT_SWAPPED);
     g_signal_connect_object(window->player, "failed", G_CALLBACK(on_failed), window, 0);
     g_signal_connect_object(window->player, "rewound", G_CALLBACK(on_rewound), window, G_CONNECT_SWAPPED);
@@ -182,7 +182,7 @@ static void connect_parts(TinkerWindow *window)
                             G_CONNECT_SWAPPED);
     gtk_overlay_add_overlay(window->canvas_overlay, tinker_welcome_new(window->document, window->player));
     g_signal_connect_object(window->canvas, "menu", G_CALLBACK(on_menu), window, 0);
-    g_signal_connect_object(tinker_side_panel_outline(side_panel), "menu", G_CALLBACK(on_menu), window, 0);
+    g_signal_connect_object(tinker_side_panel_outline(window->side_panel), "menu", G_CALLBACK(on_menu), window, 0);
     g_signal_connect_object(window->canvas, "faults", G_CALLBACK(on_canvas_faults), window, 0);
 }
 

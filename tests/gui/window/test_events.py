@@ -33,6 +33,22 @@ def test_last_event_is_told(display):
         wait(lambda: told(app) is None, "nothing to be told of before a run")
 
 
+def test_law_of_impact_that_decides_is_offered(display):
+    """One ball strikes two that touch: by Newton it comes back, by blows one after the other it stops."""
+    balls = [{"type": "disc", "name": f"Ball {i}", "radius": 0.5, "position": [x, 0], "restitution": 1, "solid": True}
+             for i, x in enumerate((-2, 0, 1))]
+    balls[0]["velocity"] = [2, 0]
+    with App(display, scene(*balls, duration=1)) as app:
+        app.click("Play")
+        notice = app.find("button", re.compile("depends on the impact law: at 0.5 s"))
+        check("impact_law" not in notice.name, f"a key of files is in “{notice.name}”")
+        app.click("Choose the Law of Impact")
+        law = app.field("Computation", "Law of Impact")
+        wait(lambda: any(node.has("focused") and node.is_inside(law) for node in app.tree.refresh()), "the focus on it")
+        app.choose_in("Computation", "Law of Impact", "One After the Other")
+        check_equal(app.saved()["run"]["impact_law"], "sequential", "the law in the file")
+
+
 def test_time_line_is_marked_where_something_happens(display):
     with App(display, sliding(duration=2.5)) as app:
         app.click("Play")
