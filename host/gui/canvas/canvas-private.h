@@ -30,6 +30,8 @@ struct _TinkerCanvas {
 
     TinkerView view;
     gboolean view_is_set;
+    gboolean view_is_fitted; /* it shows `fitted`, whatever the size, until somebody looks elsewhere */
+    double fitted[4], fitted_margin, fitted_above;
     TinkerPaintMemory *memory;
     GHashTable *faults; /* of drawings, as TinkerPaintOptions has them */
     guint faults_told;  /* of them */

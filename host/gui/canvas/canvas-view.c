@@ -59,6 +59,7 @@ void canvas_describe_view(TinkerCanvas *canvas)
 
 void canvas_view_changed(TinkerCanvas *canvas)
 {
+    canvas->view_is_fitted = FALSE;
     canvas->view.scale = CLAMP(canvas->view.scale, LEAST_SCALE, GREATEST_SCALE);
     canvas_describe_view(canvas);
     gtk_widget_queue_draw(GTK_WIDGET(canvas));

@@ -3,6 +3,7 @@
 
 #include <glib/gi18n.h>
 #include <math.h>
+#include <string.h>
 
 #include "gui/text/block-words.h"
 #include "gui/widget/desktop-theme.h"
@@ -63,6 +64,16 @@ static void show_box(TinkerCanvas *canvas, const double box[4], double margin, d
     canvas_view_changed(canvas);
 }
 
+/* As show_box; when the canvas gets another size it shows the same, as long as nobody looks elsewhere meanwhile. */
+static void fit_box(TinkerCanvas *canvas, const double box[4], double margin, double above)
+{
+    show_box(canvas, box, margin, above);
+    memmove(canvas->fitted, box, sizeof canvas->fitted);
+    canvas->fitted_margin = margin;
+    canvas->fitted_above = above;
+    canvas->view_is_fitted = TRUE;
+}
+
 /* Graphs that float are part of what there is to see. */
 static void include_graphs(TinkerScene *scene, double box[4])
 {
@@ -91,7 +102,7 @@ static gboolean box_of_all(TinkerCanvas *canvas, double box[4])
 void tinker_canvas_fit(TinkerCanvas *canvas)
 {
     double box[4];
-    if (box_of_all(canvas, box)) show_box(canvas, box, FIT_MARGIN, NOTICE);
+    if (box_of_all(canvas, box)) fit_box(canvas, box, FIT_MARGIN, NOTICE);
 }
 
 void tinker_canvas_show_width(TinkerCanvas *canvas)
@@ -126,7 +137,7 @@ void tinker_canvas_show_first(TinkerCanvas *canvas)
     }
     widen(&box[0], &box[2], canvas_width);
     widen(&box[1], &box[3], CANVAS_SHAPE * canvas_width);
-    show_box(canvas, box, 0, NOTICE);
+    fit_box(canvas, box, 0, NOTICE);
 }
 
 static void tinker_canvas_size_allocate(GtkWidget *widget, int width, int height, int baseline)
@@ -140,8 +151,12 @@ static void tinker_canvas_size_allocate(GtkWidget *widget, int width, int height
     tinker_view_pan(&canvas->view, (width - canvas->view.width) / 2, (height - canvas->view.height) / 2);
     canvas->view.width = width;
     canvas->view.height = height;
-    if (!canvas->view_is_set && canvas->document != NULL) tinker_canvas_show_first(canvas);
-    canvas_view_changed(canvas);
+    if (!canvas->view_is_set && canvas->document != NULL)
+        tinker_canvas_show_first(canvas);
+    else if (canvas->view_is_fitted)
+        fit_box(canvas, canvas->fitted, canvas->fitted_margin, canvas->fitted_above);
+    else
+        canvas_view_changed(canvas);
 }
 
 /* Painting ------------------------------------------------------------------------------------------------------------

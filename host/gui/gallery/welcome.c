@@ -37,7 +37,8 @@ static void add_examples(TinkerWelcome *welcome)
         GtkWidget *button = tinker_example_button_new(example, welcome->pictures);
         gtk_actionable_set_action_name(GTK_ACTIONABLE(button), "win.open-example");
         gtk_actionable_set_action_target(GTK_ACTIONABLE(button), "s", example->path);
-        gtk_box_append(GTK_BOX(welcome->examples), button);
+        gtk_flow_box_append(GTK_FLOW_BOX(welcome->examples), button);
+        gtk_widget_set_focusable(gtk_widget_get_parent(button), FALSE); /* the button itself has the focus */
     }
 }
 
@@ -91,8 +92,11 @@ static GtkWidget *card_new(TinkerWelcome *welcome)
     for (int i = 0; i < (int)G_N_ELEMENTS(steps); i++)
         gtk_box_append(GTK_BOX(card), step_row(i + 1, _(steps[i])));
     gtk_box_append(GTK_BOX(card), examples_row());
-    welcome->examples = gtk_box_new(GTK_ORIENTATION_HORIZONTAL, 6);
-    gtk_box_set_homogeneous(GTK_BOX(welcome->examples), TRUE);
+    welcome->examples = gtk_flow_box_new();
+    gtk_flow_box_set_selection_mode(GTK_FLOW_BOX(welcome->examples), GTK_SELECTION_NONE);
+    gtk_flow_box_set_homogeneous(GTK_FLOW_BOX(welcome->examples), TRUE);
+    gtk_flow_box_set_column_spacing(GTK_FLOW_BOX(welcome->examples), 6);
+    gtk_flow_box_set_max_children_per_line(GTK_FLOW_BOX(welcome->examples), SHOWN_EXAMPLES);
     gtk_box_append(GTK_BOX(card), welcome->examples);
     return card;
 }
@@ -143,11 +147,15 @@ static void tinker_welcome_class_init(TinkerWelcomeClass *class)
 
 static void tinker_welcome_init(TinkerWelcome *welcome)
 {
-    GtkWidget *clamp = adw_clamp_new();
+    GtkWidget *clamp = adw_clamp_new(), *scrolled = gtk_scrolled_window_new(); /* which it needs in a small window */
+    gtk_scrolled_window_set_policy(GTK_SCROLLED_WINDOW(scrolled), GTK_POLICY_NEVER, GTK_POLICY_AUTOMATIC);
+    gtk_scrolled_window_set_propagate_natural_width(GTK_SCROLLED_WINDOW(scrolled), TRUE);
+    gtk_scrolled_window_set_propagate_natural_height(GTK_SCROLLED_WINDOW(scrolled), TRUE);
     adw_clamp_set_maximum_size(ADW_CLAMP(clamp), CARD_WIDTH);
     adw_clamp_set_tightening_threshold(ADW_CLAMP(clamp), CARD_WIDTH);
     adw_clamp_set_child(ADW_CLAMP(clamp), card_new(welcome));
-    gtk_widget_set_parent(clamp, GTK_WIDGET(welcome));
+    gtk_scrolled_window_set_child(GTK_SCROLLED_WINDOW(scrolled), clamp);
+    gtk_widget_set_parent(scrolled, GTK_WIDGET(welcome));
     gtk_widget_set_halign(GTK_WIDGET(welcome), GTK_ALIGN_CENTER);
     gtk_widget_set_valign(GTK_WIDGET(welcome), GTK_ALIGN_CENTER);
     gtk_widget_set_margin_bottom(GTK_WIDGET(welcome), 48); /* the play bar's */

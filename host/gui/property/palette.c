@@ -15,13 +15,15 @@
 #define ICON_WIDTH     48
 #define ICON_HEIGHT    32
 #define DRAG_THRESHOLD 6.0
-#define SEARCH_WIDTH   6 /* characters, at least */
+#define SEARCH_WIDTH   6   /* characters, at least */
+#define LEAST_WIDTH    172 /* px, with names */
 
 struct _TinkerPalette {
     GtkWidget parent_instance;
     GtkWidget *search, *none, *list;
     TinkerCatalogue *catalogue;
     TinkerCanvas *canvas;
+    gboolean compact; /* symbols alone */
 };
 
 G_DEFINE_FINAL_TYPE(TinkerPalette, tinker_palette, GTK_TYPE_WIDGET)
@@ -30,7 +32,7 @@ G_DEFINE_FINAL_TYPE(TinkerPalette, tinker_palette, GTK_TYPE_WIDGET)
 typedef struct {
     TinkerPalette *palette;
     const TinkerBlockClass *block_class;
-    GtkWidget *button;
+    GtkWidget *button, *label;
     GStrv words; /* that it is found by */
     gboolean dragged;
 } Item;
@@ -123,6 +125,17 @@ static GtkWidget *icon_of(Item *item)
     return icon;
 }
 
+/* What it does, below its name where that is not seen. */
+static void show_tooltip(const Item *item, gboolean named)
+{
+    const TinkerBlockType *type = item->block_class->type;
+    g_autoptr(GString) text = g_string_new(named ? tinker_translate(type->title) : NULL);
+    if (type->summary != NULL)
+        g_string_append_printf(text, "%s%s.\n%s", named ? "\n" : "", tinker_translate(type->summary),
+                               _("Click or drag it onto the canvas."));
+    gtk_widget_set_tooltip_text(item->button, text->len > 0 ? text->str : NULL);
+}
+
 static GtkWidget *button_of(TinkerPalette *palette, const TinkerBlockClass *block_class)
 {
     const TinkerBlockType *type = block_class->type;
@@ -134,16 +147,14 @@ static GtkWidget *button_of(TinkerPalette *palette, const TinkerBlockClass *bloc
         g_strjoin(" ", title, type->summary != NULL ? tinker_translate(type->summary) : "", NULL);
     item->words = tinker_search_words(found_by);
     item->button = gtk_button_new();
-    GtkWidget *row = gtk_box_new(GTK_ORIENTATION_HORIZONTAL, 8), *label = gtk_label_new(title);
-    gtk_label_set_xalign(GTK_LABEL(label), 0);
+    GtkWidget *row = gtk_box_new(GTK_ORIENTATION_HORIZONTAL, 8);
+    item->label = gtk_label_new(title);
+    gtk_label_set_xalign(GTK_LABEL(item->label), 0);
     gtk_box_append(GTK_BOX(row), icon_of(item));
-    gtk_box_append(GTK_BOX(row), label);
+    gtk_box_append(GTK_BOX(row), item->label);
     gtk_button_set_child(GTK_BUTTON(item->button), row);
     gtk_widget_add_css_class(item->button, "flat");
-    g_autofree char *tooltip = type->summary != NULL ? g_strdup_printf("%s.\n%s", tinker_translate(type->summary),
-                                                                       _("Click or drag it onto the canvas."))
-                                                     : NULL;
-    gtk_widget_set_tooltip_text(item->button, tooltip);
+    show_tooltip(item, FALSE);
     gtk_accessible_update_property(GTK_ACCESSIBLE(item->button), GTK_ACCESSIBLE_PROPERTY_LABEL, title, -1);
     g_object_set_data_full(G_OBJECT(item->button), "item", item, item_free);
     g_signal_connect_swapped(item->button, "clicked", G_CALLBACK(on_clicked), item);
@@ -194,7 +205,7 @@ static void on_searched(TinkerPalette *palette)
     for (GtkWidget *child = gtk_widget_get_last_child(palette->list); child != NULL;
          child = gtk_widget_get_prev_sibling(child)) {
         const Item *item = item_of(child);
-        const gboolean shown = item != NULL ? tinker_search_finds(item->words, stems) : below;
+        const gboolean shown = item != NULL ? tinker_search_finds(item->words, stems) : below && !palette->compact;
         gtk_widget_set_visible(child, shown);
         below = item != NULL && (shown || below);
         any |= shown;
@@ -237,6 +248,24 @@ static GtkWidget *make_search(TinkerPalette *palette)
     g_signal_connect_swapped(palette->search, "activate", G_CALLBACK(on_search_activated), palette);
     g_signal_connect_swapped(palette->search, "stop-search", G_CALLBACK(on_search_stopped), palette);
     return palette->search;
+}
+
+void tinker_palette_set_compact(TinkerPalette *palette, gboolean compact)
+{
+    if (compact == palette->compact) return;
+    palette->compact = compact;
+    gtk_widget_set_size_request(GTK_WIDGET(palette), compact ? -1 : LEAST_WIDTH, -1);
+    gtk_editable_set_width_chars(GTK_EDITABLE(palette->search), compact ? 1 : SEARCH_WIDTH);
+    gtk_editable_set_max_width_chars(GTK_EDITABLE(palette->search), compact ? 1 : SEARCH_WIDTH);
+    g_object_set(palette->search, "placeholder-text", compact ? NULL : _("Find a Block"), NULL);
+    for (GtkWidget *child = gtk_widget_get_first_child(palette->list); child != NULL;
+         child = gtk_widget_get_next_sibling(child)) {
+        const Item *item = item_of(child);
+        if (item == NULL) continue;
+        gtk_widget_set_visible(item->label, !compact);
+        show_tooltip(item, compact);
+    }
+    on_searched(palette);
 }
 
 void tinker_palette_focus(TinkerPalette *palette)

@@ -13,4 +13,7 @@ void tinker_palette_set_canvas(TinkerPalette *palette, TinkerCatalogue *catalogu
 /* Gives the focus to the first block. */
 void tinker_palette_focus(TinkerPalette *palette);
 
+/* Symbols alone, with their names in tooltips, where the window is narrow. */
+void tinker_palette_set_compact(TinkerPalette *palette, gboolean compact);
+
 #endif

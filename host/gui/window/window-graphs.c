@@ -110,12 +110,13 @@ void window_append_graph_menu(TinkerWindow *window, GMenu *menu)
  */
 
 /* A pane gives its lower part the least height until somebody has set the border: it stays where it was put at first.
- */
+ * From then on both parts share what a higher window gives, or a lower one takes. */
 static gboolean keep_height(gpointer dock)
 {
     GtkWidget *pane = gtk_widget_get_ancestor(dock, GTK_TYPE_PANED);
     if (pane == NULL || !gtk_widget_get_mapped(dock)) return G_SOURCE_REMOVE;
     gtk_paned_set_position(GTK_PANED(pane), gtk_paned_get_position(GTK_PANED(pane)));
+    gtk_paned_set_resize_end_child(GTK_PANED(pane), TRUE);
     tinker_graph_dock_settle(TINKER_GRAPH_DOCK(dock));
     return G_SOURCE_REMOVE;
 }

@@ -16,7 +16,8 @@
 
 G_DEFINE_FINAL_TYPE(TinkerWindow, tinker_window, ADW_TYPE_APPLICATION_WINDOW)
 
-#define LONGEST_TICK 0.1 /* s: after a hang, playback goes on from where it was */
+#define LONGEST_TICK 0.1  /* s: after a hang, playback goes on from where it was */
+#define NARROW       1000 /* px: a window in which blocks are shown as symbols alone */
 
 /* Playing -------------------------------------------------------------------------------------------------------------
  */
@@ -231,11 +232,24 @@ static void tinker_window_dispose(GObject *object)
 
 #define BIND(part) gtk_widget_class_bind_template_child(widget_class, TinkerWindow, part)
 
+/* In a narrow window the canvas has the room of the blocks' names. */
+static void on_layout(GdkSurface *surface, int width, int height, TinkerWindow *window)
+{
+    tinker_palette_set_compact(window->palette, width < NARROW);
+}
+
+static void tinker_window_realize(GtkWidget *widget)
+{
+    GTK_WIDGET_CLASS(tinker_window_parent_class)->realize(widget);
+    g_signal_connect_object(gtk_native_get_surface(GTK_NATIVE(widget)), "layout", G_CALLBACK(on_layout), widget, 0);
+}
+
 static void tinker_window_class_init(TinkerWindowClass *class)
 {
     GtkWidgetClass *widget_class = GTK_WIDGET_CLASS(class);
     G_OBJECT_CLASS(class)->dispose = tinker_window_dispose;
     GTK_WINDOW_CLASS(class)->close_request = tinker_window_close_request;
+    widget_class->realize = tinker_window_realize;
     gtk_widget_class_set_template_from_resource(widget_class, "/org/tinker/Tinker/window.ui");
     BIND(canvas);
     BIND(header);

@@ -53,15 +53,70 @@ def test_field_is_not_beneath_a_notice(display):
 def test_notice_in_a_small_window(display):
     """At 800 by 500 pixels, the least there may be: its text is no column of letters, and its buttons are inside."""
     with App(display, scene(support("Floor", 0, 0), mass("Box", 0, 0.3), spring("Link", (-2, 3), (2, 3)))) as app:
-        widest = max(app.windows(), key=lambda window: window[1][2])  # others are tips
-        app.xdotool("windowsize", widest[0], 800, 500)
-        wait(lambda: width_of_window(app) == 800, "the window to be small")
+        make_small(app)
         left, top, width, height = app.canvas_box()
         text = app.settled(app.find("button", re.compile("^Box starts ")))
         check(text[2] > 200 and text[3] < height / 3, f"the text of the notice is {text[2]} by {text[3]} px")
         for name in ("Next Notice", "Close Notice"):
             x, y, across, down = app.settled(app.find("button", name))
             check(left <= x and x + across <= left + width and y + down <= top + height / 2, f"{name} is over the canvas")
+
+
+def make_small(app):
+    """800 by 500 pixels, the least there may be."""
+    widest = max(app.windows(), key=lambda window: window[1][2])  # others are tips
+    app.xdotool("windowsize", widest[0], 800, 500)
+    wait(lambda: width_of_window(app) == 800, "the window to be small")
+
+
+def shows(app, x, y):
+    """Whether a place of the world is on the canvas."""
+    left, top, width, height = app.canvas_box()
+    across, down = app.at(x, y)
+    return left < across < left + width and top < down < top + height
+
+
+def test_small_window_shows_all_of_the_scene(display):
+    """Blocks are symbols there, with their names in tooltips; graphs give way with the canvas, which shows what it showed
+    before. Blocks can be found and placed as ever."""
+    ends = (-4.5, -2), (4.5, 2.5)
+    with App(display, scene(mass("Low", *ends[0]), mass("High", *ends[1]), graphs=[{"block": "Low", "quantity": "y"}])) as app:
+        app.find(None, re.compile("^Graph of "))
+        names = app.find("label", "Torsional Spring")
+        before = app.canvas_box()
+        make_small(app)
+        wait(lambda: app.look("label", "Torsional Spring") is None, f"{names.name} to give way")
+        _, _, width, height = wait(lambda: app.canvas_box()[2] < before[2] and app.canvas_box(), "a smaller canvas")
+        check(width >= 360 and height >= 200, f"the canvas is {width} by {height} px")
+        wait(lambda: all(shows(app, *end) for end in ends), "both bodies to be in view")
+        check(app.settled(app.find(None, re.compile("^Graph of ")))[3] >= 120, "the graph has room to be read")
+        app.retype(app.find(None, "Find a Block"), "torsional damper")
+        app.press("Return")
+        app.find_starting("list item", "Torsional Damper 0")
+        window = max(app.windows(), key=lambda window: window[1][2])
+        app.xdotool("windowsize", window[0], 1200, 750)
+        app.find("label", "Torsional Spring")
+
+
+def test_where_somebody_looks_stays_when_the_window_is_sized(display):
+    with App(display, scene(mass("Low", -4.5, -2), mass("High", 4.5, 2.5))) as app:
+        app.press("ctrl+plus")
+        zoomed = wait(lambda: app.canvas_box()[2] / app.view()[0], "a zoomed view")
+        make_small(app)
+        wait(lambda: app.canvas_box()[2] < 500, "a smaller canvas")
+        check(abs(app.canvas_box()[2] / app.view()[0] - zoomed) < 0.5, "pixels per m stay")
+
+
+def test_first_steps_can_be_read_in_a_small_window(display):
+    with App(display) as app:
+        app.find(None, "First Steps")
+        make_small(app)
+        left, _, width, _ = app.canvas_box()
+        for text in ("Build Something That Moves", "Drag the ends of springs, dampers and the like onto blocks to connect them."):
+            x, _, across, _ = app.settled(app.find("label", text))
+            check(left <= x and x + across <= left + width, f"“{text}” is whole on the canvas")
+        app.click("All Examples…")
+        app.find(None, "Examples")
 
 
 def test_mark_at_the_edge_is_not_beneath_a_notice(display):
