@@ -5,6 +5,7 @@
 #include "analysis/start/advice.h"
 #include "analysis/start/joined.h"
 #include "analysis/start/start-private.h"
+#include "scene/history/first-size.h"
 
 /* A place in a block's own axes. */
 static gboolean to_own(TinkerScene *scene, TinkerBlockId block, const double place[2], TinkerSceneEnd *end,
@@ -49,6 +50,7 @@ static gboolean add_support(TinkerHistory *history, TinkerScene *scene, const Ti
     const TinkerSceneEnd loose = tinker_scene_end(scene, connector, advice->end);
     const TinkerBlockId support = tinker_history_add_block(history, advice->support, NULL, error);
     const int32_t solid = advice->support->meanings[TINKER_MEANING_SOLID];
+    if (support != TINKER_NO_BLOCK) tinker_first_size(history, scene, support);
     return support != TINKER_NO_BLOCK &&
            start_set_meaning(history, scene, support, TINKER_MEANING_POSITION, (const double[]){loose.x, loose.y},
                              error) &&

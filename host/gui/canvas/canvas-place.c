@@ -5,9 +5,10 @@
 #include "analysis/start/joined.h"
 #include "gui/canvas/canvas-private.h"
 #include "gui/text/translate.h"
+#include "scene/history/first-size.h"
 
 #define HALF_CONNECTOR 60.0 /* widget units: half the length of a connector that lies free */
-#define ROOM           0.25 /* of a m: between a new block and what is there */
+#define ROOM           1.25 /* grid lines: between a new block and what is there */
 #define GRIDS_APART    10   /* grid lines between the places that are looked at */
 #define MOST_PLACES    400  /* that are looked at */
 
@@ -64,6 +65,8 @@ void tinker_canvas_place_move(TinkerCanvas *canvas, const TinkerBlockClass *bloc
         g_autofree char *title = g_strdup_printf(_("Add %s"), tinker_translate(block_class->type->title));
         tinker_document_begin(canvas->document, title, NULL);
         canvas->placing = tinker_history_add_block(tinker_document_history(canvas->document), block_class, NULL, NULL);
+        tinker_first_size(tinker_document_history(canvas->document), tinker_document_scene(canvas->document),
+                          canvas->placing);
         tinker_document_select(canvas->document, canvas->placing);
     }
     tinker_document_place(canvas->document, canvas->placing, place, half_apart(canvas, canvas->placing));
@@ -86,6 +89,7 @@ TinkerBlockId tinker_canvas_place_drop(TinkerCanvas *canvas)
 static gboolean is_free(TinkerFrame *frame, TinkerBlockId own, const double place[2], const double half[2])
 {
     TinkerScene *scene = tinker_frame_scene(frame);
+    const double room = ROOM * tinker_scene_head(scene)->canvas_grid;
     for (int32_t i = 0; i < tinker_scene_block_count(scene); i++) {
         TinkerBlockId block = tinker_scene_block_at(scene, i);
         const TinkerBlockClass *block_class = tinker_scene_block_class(scene, block);
@@ -96,7 +100,7 @@ static gboolean is_free(TinkerFrame *frame, TinkerBlockId own, const double plac
             int32_t column = tinker_block_class_meaning_column(block_class, TINKER_MEANING_WIDTH + k);
             size[k] = column >= 0 ? tinker_frame_column(frame, block, column) : 0;
         }
-        if (fabs(x - place[0]) < half[0] + size[0] / 2 + ROOM && fabs(y - place[1]) < half[1] + size[1] / 2 + ROOM)
+        if (fabs(x - place[0]) < half[0] + size[0] / 2 + room && fabs(y - place[1]) < half[1] + size[1] / 2 + room)
             return FALSE;
     }
     return TRUE;
@@ -181,6 +185,7 @@ TinkerBlockId tinker_canvas_add(TinkerCanvas *canvas, const TinkerBlockClass *bl
     tinker_document_begin(canvas->document, title, NULL);
     TinkerBlockId block = tinker_history_add_block_of(tinker_document_history(canvas->document), block_class,
                                                       wanted_ends(canvas, block_class->type, targets, count));
+    tinker_first_size(tinker_document_history(canvas->document), tinker_document_scene(canvas->document), block);
     double place[2];
     find_room(canvas, block, place);
     if (connect_to(canvas, block, targets, count) > 0) free_end_beside(canvas, block, place);

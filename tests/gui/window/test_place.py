@@ -16,6 +16,29 @@ def test_click_places_where_there_is_room(display):
         check(max(abs(a - b) for a, b in zip(first, second)) >= 0.8, f"Mass 0 at {first}, Mass 1 at {second} overlap")
 
 
+def test_new_blocks_are_as_large_as_the_scene_wants(display):
+    """On a table of 1 m a support is 0.4 m wide, on a bridge of 200 m 80 m; in both all is in view. A pivot goes with it."""
+    for width, factor in ((1, 0.1), (200, 20)):
+        with App(display, scene(width=width, grid=width / 50)) as app:
+            for title in ("Support", "Mass", "Disc", "Plate"):
+                app.place(title)
+            blocks = app.blocks()
+            check_close(blocks["Support 0"]["width"], 4 * factor, 1e-9 * factor, "width of a support (m)")
+            check_close(blocks["Mass 0"]["height"], 0.8 * factor, 1e-9 * factor, "height of a mass (m)")
+            check_close(blocks["Disc 0"]["radius"], 0.4 * factor, 1e-9 * factor, "radius of a disc (m)")
+            first = float(blocks["Plate 0"]["corners"].split()[0]) if isinstance(blocks["Plate 0"]["corners"], str) \
+                else blocks["Plate 0"]["corners"][0][0]
+            check_close(first, -0.5 * factor, 1e-9 * factor, "first corner of a plate (m)")
+            across, down, x, y = app.view()
+            for name, block in blocks.items():
+                place = block["position"]
+                check(abs(place[0] - x) < across / 2 and abs(place[1] - y) < down / 2, f"{name} at {place} is in view")
+            app.place("Spring")
+            app.click("Add a support there")
+            pivot = app.blocks()["Support 1"]
+            check_close(pivot["height"], 0.4 * factor, 1e-9 * factor, "height of a pivot (m)")
+
+
 def test_names_count_up(display):
     with App(display, scene()) as app:
         for name in ("Mass", "Mass", "Support", "Spring", "Damper", "Rod", "Motor"):
