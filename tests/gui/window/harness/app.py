@@ -515,11 +515,13 @@ class App:
             _, y, _, height = node.box()
             _, _, _, down = self._native(node)[0].box()
             over = self.look("label", "Outline")
+            tabs = self.look("tab", "Properties")
+            top = tabs.box()[1] + tabs.box()[3] + 30 if tabs and node.box()[0] >= tabs.box()[0] - 100 else 60
             limit = over.box()[1] if over and node.box()[0] >= over.box()[0] - 20 else down
-            if 60 < y + height / 2 < limit - 8:
+            if top < y + height / 2 < limit - 8:
                 return True
             x, _ = self.middle(node)
-            self.xdotool("mousemove", float(x), 300, "click", 5 if y > 60 else 4)
+            self.xdotool("mousemove", float(x), 300, "click", 5 if y > top else 4)
             return False
 
         wait(is_inside, f"{node!r} to be scrolled to")
