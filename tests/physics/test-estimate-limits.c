@@ -137,6 +137,33 @@ static void test_failing_companion(void)
     g_assert_cmpint(lost, >, 0);
 }
 
+/* A mass that is pinned to a support goes nowhere: it has no size to measure rounding against, wherever that is. */
+static void test_held(void)
+{
+    static const struct {
+        double x, y, along, across; /* of the support, and of the pin from there in its axes */
+    } cases[] = {
+        {-1.878825084592886, -0.025195845169835973, -0.4419457365688787, -0.265580805455889},
+        {0.3, 0.2, -0.31, -0.19},
+        {1e5 / 3, -7e4 / 3, 0.1, 0.7},
+    };
+    const double turn = 0.4387495454652983;
+    for (gsize i = 0; i < G_N_ELEMENTS(cases); i++) {
+        const double x = cases[i].x + cos(turn) * cases[i].along - sin(turn) * cases[i].across;
+        const double y = cases[i].y + sin(turn) * cases[i].along + cos(turn) * cases[i].across;
+        g_autoptr(PhysicsRun) run =
+            physics_run(&(PhysicsOptions){.duration = 1, .interval = 0.01, .tolerance = 1e-9, .estimate = TRUE},
+                        "{'type': 'gravity', 'angle': -2.2},"
+                        "{'type': 'support', 'solid': false, 'position': [%.17g, %.17g], 'orientation': %.17g},"
+                        "{'type': 'mass', 'position': [%.17g, %.17g], 'velocity': [0.63, -0.23]},"
+                        "{'type': 'pin', 'ends': ['Mass 0', {'block': 'Support 0', 'at': [%.17g, %.17g]}]}",
+                        cases[i].x, cases[i].y, turn, x, y, cases[i].along, cases[i].across);
+        g_test_message("at (%g, %g): error %.3g", cases[i].x, cases[i].y, run->summary->error_estimate);
+        g_assert_cmpfloat(run->summary->error_estimate, <=, ESTIMATE_FLOOR);
+        g_assert_cmpint(count_warnings(run, "not predictable"), ==, 0);
+    }
+}
+
 /* What hangs at rest stays there: its speeds are rounding, and so is what two runs of them differ by. */
 static void test_rest(void)
 {
@@ -171,6 +198,7 @@ static void add_tests(void)
     g_test_add_func("/physics/estimate/chaos", test_chaos);
     g_test_add_func("/physics/estimate/no-bit-changes", test_no_bit_changes);
     g_test_add_func("/physics/estimate/failing-companion", test_failing_companion);
+    g_test_add_func("/physics/estimate/held", test_held);
     g_test_add_func("/physics/estimate/rest", test_rest);
     g_test_add_func("/physics/estimate/equal-steps", test_equal_steps);
 }

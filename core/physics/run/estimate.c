@@ -32,6 +32,8 @@
 static const double landings[] = {0.3, 0.72};
 #define STEP_BEYOND 0.58
 #define NEAR        0.1
+/* In roundings of its places: an island that moves within less rests. */
+#define PLACES_ROUND_WITHIN 64
 /* Of an island of so many bodies threads share the loops already. */
 #define MANY_BODIES (TINKER_SHARE_LEAST / 2)
 
@@ -52,6 +54,7 @@ typedef struct {
     double fastest;      /* rad/s: no mode of an exact island is faster */
     double *start;       /* where its coordinates were; NULL where it is not exact */
     double swing;        /* and how far they have been from there */
+    double rounding;     /* m: of the places of its points in the scene */
 } Part;
 
 /* Room for the bodies of an island. */
@@ -126,6 +129,17 @@ void tinker_estimate_free(TinkerEstimate *estimate)
     g_free(estimate);
 }
 
+/* Of the places that an island's points have in the scene, and on what they are fixed to. */
+static double rounding_of_places(const TinkerModel *model)
+{
+    double arm = 0;
+    for (guint i = 0; i < model->attachments->len; i++) {
+        const TinkerAttachment *attachment = &g_array_index(model->attachments, TinkerAttachment, i);
+        if (!attachment->turn) arm = fmax(arm, hypot(attachment->arm[0], attachment->arm[1]));
+    }
+    return DBL_EPSILON * (hypot(model->origin[0], model->origin[1]) + arm);
+}
+
 static void open_part(Part *part, TinkerIslandRun *run)
 {
     const TinkerSystem *system = &run->system.system;
@@ -133,6 +147,7 @@ static void open_part(Part *part, TinkerIslandRun *run)
     part->landing = part->begun = -INFINITY;
     if (run->choice.step > 0) part->grid = tinker_time_grid(run->choice.step / 2);
     scales_of(run, &part->next_extent, &part->next_speed);
+    part->rounding = rounding_of_places(run->model);
     if (!tinker_method_is_exact(run->choice.method) || system->linear == NULL) return;
     part->fastest = tinker_exact_fastest(system->linear);
     part->start = g_memdup2(run->state.q, (gsize)system->size * sizeof(double));
@@ -314,10 +329,12 @@ static double rounding(TinkerEstimate *estimate, guint number, double t)
     return fmax(DBL_EPSILON * t * fmax(places, speeds), steps);
 }
 
-/* Whether an island does nothing but rest on plates: what moves there is rounding, and has no scale. */
-static gboolean rests(const TinkerIslandRun *run, double extent)
+/* Whether an island does nothing but rest on plates, or where a joint on a support holds it: what moves there is
+ * rounding, and has no scale. */
+static gboolean rests(const Part *part, const TinkerIslandRun *run, double extent)
 {
     const TinkerContacts *contacts = run->model->contacts;
+    if (extent < PLACES_ROUND_WITHIN * part->rounding) return TRUE;
     return tinker_contacts_act(contacts) && extent < TINKER_RESTS_WITHIN * tinker_contacts_extent(contacts);
 }
 
@@ -360,7 +377,7 @@ static TinkerIslandNews news_of(TinkerEstimate *estimate, guint number, double t
     if (!part->compares) return news;
     scales_at(estimate, run, part, t, &news.extent, &news.speed);
     news.noise = tinker_island_run_speed_noise(run, news.extent);
-    news.rests = rests(run, news.extent);
+    news.rests = rests(part, run, news.extent);
     news.impacts = tinker_impacts_of(run);
     if (tinker_method_is_adaptive(run->choice.method) && t > part->landing) part->begun = part->beyond;
     return news;
