@@ -32,6 +32,28 @@
           "{\"type\": \"mass\", \"name\": \"Bob\", \"mass\": 0.5, \"position\": [2, 0]},"                              \
           "{\"type\": \"rod\", \"name\": \"Rod\", \"ends\": [\"Pivot\", \"Bob\"]}")
 
+/* 1 kg and, behind it, 3 kg on a rod, struck along it at 0.25 s. */
+#define STRUCK                                                                                                         \
+    SCENE("{\"type\": \"mass\", \"name\": \"A\"},"                                                                     \
+          "{\"type\": \"mass\", \"name\": \"B\", \"mass\": 3, \"position\": [2, 0]},"                                  \
+          "{\"type\": \"rod\", \"name\": \"Rod\", \"ends\": [\"A\", \"B\"]},"                                          \
+          "{\"type\": \"impulse\", \"name\": \"Blow\", \"ends\": [\"A\"], \"impulse\": 4, \"time\": 0.25}")
+
+/* Dropped by 0.8 m with a rod askew between them: A lands at 0.4 s with 4 m/s and leaves with 2 m/s. */
+#define DUMBBELL                                                                                                       \
+    SCENE("{\"type\": \"support\", \"name\": \"Floor\", \"height\": 0, \"width\": 9, \"restitution\": 0.5,"            \
+          "\"static_friction\": 0, \"dynamic_friction\": 0},"                                                          \
+          "{\"type\": \"mass\", \"name\": \"A\", \"position\": [0, 0.8], \"width\": 0, \"height\": 0},"                \
+          "{\"type\": \"mass\", \"name\": \"B\", \"position\": [1, 1.8], \"width\": 0, \"height\": 0},"                \
+          "{\"type\": \"rod\", \"name\": \"Rod\", \"ends\": [\"A\", \"B\"]}")
+
+/* Three that land at one time, but for rounding. */
+#define DROPPED_TOGETHER                                                                                               \
+    SCENE("{\"type\": \"support\", \"name\": \"Floor\", \"height\": 0.1, \"width\": 9, \"restitution\": 0.5},"         \
+          "{\"type\": \"mass\", \"name\": \"A\", \"position\": [-1.3, 0.95], \"height\": 0.2},"                        \
+          "{\"type\": \"mass\", \"name\": \"B\", \"position\": [0.1, 1.0], \"height\": 0.3},"                          \
+          "{\"type\": \"disc\", \"name\": \"C\", \"position\": [1.3, 1.18], \"radius\": 0.33}")
+
 static cJSON *json_of(CliFixture *fixture, const char *scene, const char *words)
 {
     g_autofree char *path = cli_write(fixture, "scene.json", scene);
@@ -105,6 +127,54 @@ static void test_bounce(CliFixture *fixture, gconstpointer data)
     cJSON *root = json_of(fixture, DROPPED, "books @scene.json --to 0.5 --as json");
     g_assert_cmpstr(cJSON_GetObjectItem(cJSON_GetArrayItem(cJSON_GetObjectItem(root, "impacts"), 0), "by")->valuestring,
                     ==, "Floor");
+    assert_numbers(root, expected, G_N_ELEMENTS(expected));
+    cJSON_Delete(root);
+}
+
+/* What a joint answers to a blow is the joint's. */
+static void test_struck(CliFixture *fixture, gconstpointer data)
+{
+    static const Expected expected[] = {
+        {"momentum/impulses/Blow/0", 4}, {"energy/work/Blow", 2}, {"energy/work/Rod", 0},
+        {"momentum/residual", 0},        {"energy/residual", 0},  {"angular/residual", 0},
+        {"momentum/momentum/1/0", 4},
+    };
+    cJSON *root = json_of(fixture, STRUCK, "books @scene.json --to 0.5 --as json");
+    assert_numbers(root, expected, G_N_ELEMENTS(expected));
+    cJSON_Delete(root);
+    static const Expected behind[] = {
+        {"momentum/impulses/Rod/0", 3}, {"energy/work/Rod", 1.5}, {"momentum/residual", 0}, {"energy/residual", 0}};
+    root = json_of(fixture, STRUCK, "books @scene.json --block B --to 0.5 --as json");
+    assert_numbers(root, behind, G_N_ELEMENTS(behind));
+    cJSON_Delete(root);
+}
+
+/* With p from the floor and r (1, 1) from the rod: A changes by (-r, p - r), B by (r, r), and along the rod by the
+ * same: r = p / 4, and 3 p / 4 = 6. */
+static void test_dumbbell(CliFixture *fixture, gconstpointer data)
+{
+    static const Expected expected[] = {
+        {"momentum/impulses/Floor/0", 0}, {"momentum/impulses/Floor/1", 8}, {"energy/work/Floor", -8},
+        {"momentum/residual", 0},         {"energy/residual", 0},           {"angular/residual", 0},
+    };
+    cJSON *root = json_of(fixture, DUMBBELL, "books @scene.json --to 0.45 --as json");
+    assert_numbers(root, expected, G_N_ELEMENTS(expected));
+    cJSON_Delete(root);
+    root = json_of(fixture, DUMBBELL, "books @scene.json --block B --from 0.39 --to 0.4000001 --as json");
+    g_assert_cmpfloat(fabs(number_at(root, "momentum/impulses/Rod/0") - 2), <, 1e-5);
+    g_assert_cmpfloat(fabs(number_at(root, "momentum/impulses/Rod/1") - 2), <, 1e-5);
+    g_assert_cmpfloat(number_at(root, "energy/residual"), <, 1e-8);
+    cJSON_Delete(root);
+}
+
+/* 1 kg each, from -4 to 2 m/s. */
+static void test_dropped_together(CliFixture *fixture, gconstpointer data)
+{
+    static const Expected expected[] = {
+        {"momentum/impulses/Floor/1", 18}, {"energy/work/Floor", -18}, {"momentum/residual", 0}, {"energy/residual", 0},
+        {"angular/residual", 0},
+    };
+    cJSON *root = json_of(fixture, DROPPED_TOGETHER, "books @scene.json --to 0.5 --as json");
     assert_numbers(root, expected, G_N_ELEMENTS(expected));
     cJSON_Delete(root);
 }
@@ -326,6 +396,9 @@ int main(int argc, char **argv)
     g_test_init(&argc, &argv, NULL);
     cli_test_add("/cli/books/throw", test_throw);
     cli_test_add("/cli/books/bounce", test_bounce);
+    cli_test_add("/cli/books/struck", test_struck);
+    cli_test_add("/cli/books/dumbbell", test_dumbbell);
+    cli_test_add("/cli/books/dropped-together", test_dropped_together);
     cli_test_add("/cli/books/bounce-as-impulse", test_bounce_as_impulse);
     cli_test_add("/cli/books/pendulum", test_pendulum);
     cli_test_add("/cli/books/pages", test_pages);

@@ -11,13 +11,13 @@ static gboolean names_both(const char *text, const char *one, const char *other)
     return strcmp(text, first) == 0 || strcmp(text, second) == 0 || strcmp(text, other) == 0;
 }
 
-/* The block that an event at the time names beside the body; -1 for none. */
-static TinkerBlockId struck_by(const TinkerBookKeeper *keeper, TinkerBlockId body, double time)
+/* The block that an event from one time to another names beside the body; -1 for none. */
+static TinkerBlockId struck_by(const TinkerBookKeeper *keeper, TinkerBlockId body, double since, double time)
 {
     const char *name = tinker_scene_block_name(keeper->scene, body);
     for (guint i = 0; keeper->instants != NULL && i < keeper->instants->len; i++) {
         const TinkerBookInstant *instant = g_ptr_array_index(keeper->instants, i);
-        if (instant->time != time || instant->blocks == NULL) continue;
+        if (instant->time < since || instant->time > time || instant->blocks == NULL) continue;
         for (int32_t k = 0; k < tinker_scene_block_count(keeper->scene); k++) {
             const TinkerBlockId other = tinker_scene_block_at(keeper->scene, k);
             if (other != body && names_both(instant->blocks, name, tinker_scene_block_name(keeper->scene, other)))
@@ -27,23 +27,23 @@ static TinkerBlockId struck_by(const TinkerBookKeeper *keeper, TinkerBlockId bod
     return -1;
 }
 
-static void add_impact(TinkerBookKeeper *keeper, const TinkerBookBody *body, const TinkerBodyState *state, double time)
+/* Adds what a block (-1: it cannot be told which) gave a body at an instant: impulse in x, y, and about its centre. */
+static void add_impact(TinkerBookKeeper *keeper, const TinkerBookBody *body, const TinkerBodyState *state, double time,
+                       TinkerBlockId by, const double given[3])
 {
     const TinkerBodySample *at = &state->at;
-    const double m = body->mass, px = m * (at->vx - body->speed[0]), py = m * (at->vy - body->speed[1]);
-    const double spin = body->inertia * (state->rate - body->speed[2]);
-    const double before = body->speed[0] * body->speed[0] + body->speed[1] * body->speed[1];
-    const double turned = spin * (state->rate + body->speed[2]);
+    const double px = given[0], py = given[1], spin = given[2];
     const TinkerBookImpact impact = {.time = time,
-                                     .by = struck_by(keeper, body->block, time),
+                                     .by = by,
                                      .on = body->block,
                                      .impulse = {px, py},
-                                     .work = 0.5 * (m * (at->vx * at->vx + at->vy * at->vy - before) + turned)};
+                                     .work = 0.5 * (px * (at->vx + body->speed[0]) + py * (at->vy + body->speed[1]) +
+                                                    spin * (state->rate + body->speed[2]))};
     const double rx = at->x - keeper->books->about[0], ry = at->y - keeper->books->about[1];
     const double angular = rx * py - ry * px + spin;
     g_array_append_val(keeper->books->impacts, impact);
-    if (impact.by < 0) return;
-    TinkerBookAccount *account = tinker_book_account(keeper, impact.by);
+    if (by < 0) return;
+    TinkerBookAccount *account = tinker_book_account(keeper, by);
     account->entry.work += impact.work;
     account->entry.impulse[0] += px;
     account->entry.impulse[1] += py;
@@ -51,6 +51,38 @@ static void add_impact(TinkerBookKeeper *keeper, const TinkerBookBody *body, con
     account->work += fabs(impact.work);
     account->impulse += hypot(px, py);
     account->angular += fabs(angular);
+}
+
+/* A jolt at an instant is written down at it, to rounding. */
+#define SAME_INSTANT 1e-14
+/* Of what a body was given: what the blocks of the run's jolts leave of it is rounding. */
+#define ALL_TOLD 1e-9
+/* Of the greatest momenta, linear and angular, of the run. */
+#define ROUNDING 1e-12
+
+/* Each block's share of what a body was given, and what is left of that by who is named in the event. */
+static void add_impacts(TinkerBookKeeper *keeper, const TinkerBookBody *body, const TinkerBodyState *state,
+                        double since, double time)
+{
+    const double given[] = {body->mass * (state->at.vx - body->speed[0]), body->mass * (state->at.vy - body->speed[1]),
+                            body->inertia * (state->rate - body->speed[2])};
+    double left[3], moved = fmax(hypot(given[0], given[1]), ROUNDING / ALL_TOLD * keeper->greatest[1]),
+                    turned = fmax(fabs(given[2]), ROUNDING / ALL_TOLD * keeper->greatest[2]);
+    memcpy(left, given, sizeof left);
+    for (guint i = 0; i < keeper->jolts->len; i++) {
+        const TinkerJolt *jolt = &g_array_index(keeper->jolts, TinkerJolt, i);
+        if (jolt->on != body->block || jolt->time < since * (1 - SAME_INSTANT) ||
+            jolt->time > time * (1 + SAME_INSTANT))
+            continue;
+        const double share[] = {jolt->impulse[0], jolt->impulse[1], body->inertia > 0 ? jolt->spin : 0};
+        add_impact(keeper, body, state, jolt->time, jolt->by, share);
+        moved = fmax(moved, hypot(share[0], share[1]));
+        turned = fmax(turned, fabs(share[2]));
+        for (int k = 0; k < 3; k++)
+            left[k] -= share[k];
+    }
+    if (hypot(left[0], left[1]) <= ALL_TOLD * moved && fabs(left[2]) <= ALL_TOLD * turned) return;
+    add_impact(keeper, body, state, time, struck_by(keeper, body->block, since, time), left);
 }
 
 /* Rounding and the short time before the instant are no jump. */
@@ -64,15 +96,15 @@ static gboolean jumps(const double now[3], const double before[3])
            fabs(now[2] - before[2]) > LEAST_JUMP * swung;
 }
 
-void tinker_book_look_for_jumps(TinkerBookKeeper *keeper, const TinkerModelState *state, gboolean after)
+void tinker_book_look_for_jumps(TinkerBookKeeper *keeper, const TinkerModelState *state, double since)
 {
     for (guint i = 0; i < keeper->bodies->len; i++) {
         TinkerBookBody *body = &g_array_index(keeper->bodies, TinkerBookBody, i);
         const TinkerBodyState *now = tinker_model_state_find(state, body->block);
         const double speed[] = {now->at.vx, now->at.vy, now->rate};
-        if (!after)
+        if (isinf(since))
             memcpy(body->speed, speed, sizeof speed);
         else if (jumps(speed, body->speed))
-            add_impact(keeper, body, now, state->time);
+            add_impacts(keeper, body, now, since, state->time);
     }
 }

@@ -5,6 +5,7 @@
 #include "equations/balance/book-nodes-private.h"
 #include "equations/balance/books.h"
 #include "equations/state/model-state.h"
+#include "physics/constraint/jolts.h"
 
 typedef struct {
     TinkerBookEntry entry;
@@ -33,6 +34,7 @@ typedef struct {
     guint next; /* node */
     GArray *columns;
     const GPtrArray *instants; /* of TinkerBookInstant: those of the run before */
+    GArray *jolts;             /* of TinkerJolt: of this run */
     double greatest[3]; /* sums over the bodies of kinetic energy, |momentum|, |angular momentum|: the greatest */
 } TinkerBookKeeper;
 
@@ -47,8 +49,9 @@ void tinker_book_add_motion(TinkerBookKeeper *keeper, const TinkerModelState *st
 /* What the forces at a state do in so many seconds; at the end they are Newton's as well. */
 void tinker_book_add_forces(TinkerBookKeeper *keeper, const TinkerModelState *state, double weight, gboolean end);
 
-/* Looks at velocities just before an instant, and at it. */
-void tinker_book_look_for_jumps(TinkerBookKeeper *keeper, const TinkerModelState *state, gboolean after);
+/* Looks at velocities just before instants (`since` is INFINITY), and behind them, the first of which is `since` and
+ * the last the state's time. */
+void tinker_book_look_for_jumps(TinkerBookKeeper *keeper, const TinkerModelState *state, double since);
 
 /* Fills the books from the accounts. */
 void tinker_book_conclude(TinkerBookKeeper *keeper);

@@ -15,10 +15,16 @@ typedef enum {
 typedef struct {
     double time, weight; /* s */
     TinkerNodeKind kind;
+    double since; /* s: of one after instants, the first of them */
 } TinkerBookNode;
 
-/* The nodes from one time to another, ascending, with about so many panels; pieces end at the cuts (of double,
- * ascending), where velocities may jump or do not. (transfer full) */
+/* Instants that are too near to one another to be told apart: the first and the last. */
+typedef struct {
+    double first, last; /* s */
+} TinkerBookCut;
+
+/* The nodes from one time to another, ascending, with about so many panels; pieces end at the cuts (of
+ * TinkerBookCut, ascending), where velocities may jump or do not. (transfer full) */
 GArray *tinker_book_nodes(double from, double to, const GArray *cuts, gboolean jump, int panels);
 
 #endif

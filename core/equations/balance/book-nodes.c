@@ -14,7 +14,7 @@ static const double weights[POINTS / 2] = {0.3626837833783619829651504, 0.313706
 
 static void add(GArray *nodes, double time, double weight, TinkerNodeKind kind)
 {
-    const TinkerBookNode node = {time, weight, kind};
+    const TinkerBookNode node = {time, weight, kind, time};
     g_array_append_val(nodes, node);
 }
 
@@ -34,13 +34,15 @@ GArray *tinker_book_nodes(double from, double to, const GArray *cuts, gboolean j
     add(nodes, from, 0, TINKER_NODE_START);
     for (guint i = 0; i <= cuts->len; i++) {
         const gboolean last = i == cuts->len;
-        const double end = last ? to : g_array_index(cuts, double, i);
+        const TinkerBookCut cut = last ? (TinkerBookCut){to, to} : g_array_index(cuts, TinkerBookCut, i);
+        const double end = cut.first;
         const int count = MAX(1, (int)ceil(panels * (end - begin) / (to - from)));
         for (int k = 0; k < count; k++)
             add_panel(nodes, begin + (end - begin) * k / count, begin + (end - begin) * (k + 1) / count);
         if (!last && jump) add(nodes, end - BEFORE * DBL_EPSILON * fabs(end), 0, TINKER_NODE_BEFORE);
-        if (last || jump) add(nodes, end, 0, last ? TINKER_NODE_END : TINKER_NODE_AFTER);
-        begin = end;
+        if (last || jump) add(nodes, cut.last, 0, last ? TINKER_NODE_END : TINKER_NODE_AFTER);
+        g_array_index(nodes, TinkerBookNode, nodes->len - 1).since = end;
+        begin = cut.last;
     }
     return nodes;
 }

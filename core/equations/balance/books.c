@@ -21,6 +21,7 @@ static void begin_again(void *data)
 {
     TinkerBookKeeper *keeper = data;
     keeper->next = 0;
+    g_array_set_size(keeper->jolts, 0);
     for (guint i = 0; i < keeper->accounts->len; i++)
         g_array_index(keeper->accounts, TinkerBookAccount, i) = (TinkerBookAccount){.entry = {.by = -1}};
     g_array_set_size(keeper->books->impacts, 0);
@@ -40,7 +41,7 @@ static gboolean look(TinkerSimulation *simulation, double time, const double *va
     tinker_book_add_motion(keeper, state, start ? 0 : end ? 1 : -1);
     if (node->kind == TINKER_NODE_INSIDE || end) tinker_book_add_forces(keeper, state, node->weight, end);
     if (node->kind == TINKER_NODE_BEFORE || node->kind == TINKER_NODE_AFTER)
-        tinker_book_look_for_jumps(keeper, state, node->kind == TINKER_NODE_AFTER);
+        tinker_book_look_for_jumps(keeper, state, node->kind == TINKER_NODE_AFTER ? node->since : INFINITY);
     for (guint i = 0; end && i < state->bodies->len; i++) {
         const TinkerBodyState *at = &g_array_index(state->bodies, TinkerBodyState, i);
         const TinkerBookBody *body = tinker_book_body(keeper, at->block);
@@ -82,6 +83,7 @@ static gboolean run(TinkerBookKeeper *keeper, const TinkerRunOptions *options, G
     with.at = times;
     with.at_count = keeper->nodes->len;
     with.estimate = with.accuracy > 0;
+    with.jolts = keeper->jolts;
     begin_again(keeper);
     keeper->model = tinker_model_new(keeper->scene, error);
     TinkerSimulation *simulation = keeper->model != NULL ? tinker_simulation_new(keeper->model, &with, error) : NULL;
@@ -103,12 +105,13 @@ static gint by_value(gconstpointer a, gconstpointer b)
     return (first > second) - (first < second);
 }
 
-/* Every instant within the interval at which a force may jump: breaks of waveforms and laws, events. (transfer full) */
+/* Every instant within the interval at which a force may jump: breaks of waveforms and laws, events. Element:
+ * TinkerBookCut. (transfer full) */
 static GArray *cuts_of(TinkerScene *scene, const TinkerBooks *books, const GPtrArray *instants, GError **error)
 {
     g_autoptr(TinkerModel) model = tinker_model_new(scene, error);
     if (model == NULL) return NULL;
-    GArray *cuts = g_array_new(FALSE, FALSE, sizeof(double));
+    g_autoptr(GArray) cuts = g_array_new(FALSE, FALSE, sizeof(double));
     for (guint i = 0; i < instants->len; i++)
         g_array_append_val(cuts, ((TinkerBookInstant *)g_ptr_array_index(instants, i))->time);
     for (double t = tinker_model_next_break(model, books->from, books->to); isfinite(t) && t < books->to;
@@ -116,28 +119,30 @@ static GArray *cuts_of(TinkerScene *scene, const TinkerBooks *books, const GPtrA
         g_array_append_val(cuts, t);
     g_array_sort(cuts, by_value);
     const double least = CLOSEST_CUTS * (books->to - books->from);
-    guint kept = 0;
-    double last = books->from;
+    GArray *kept = g_array_new(FALSE, FALSE, sizeof(TinkerBookCut));
     for (guint i = 0; i < cuts->len; i++) {
-        const double cut = g_array_index(cuts, double, i);
-        if (cut - last <= least || books->to - cut <= least) continue;
-        g_array_index(cuts, double, kept++) = last = cut;
+        const double time = g_array_index(cuts, double, i);
+        if (time - books->from <= least || books->to - time <= least) continue;
+        TinkerBookCut *last = kept->len > 0 ? &g_array_index(kept, TinkerBookCut, kept->len - 1) : NULL;
+        if (last != NULL && time - last->first <= least)
+            last->last = time;
+        else
+            g_array_append_val(kept, ((TinkerBookCut){time, time}));
     }
-    g_array_set_size(cuts, kept);
-    return cuts;
+    return kept;
 }
 
 /* Contact as impulses has one force from each step's start to its end, and velocities that go straight between them.
  * (transfer full) */
 static GArray *steps_of(const TinkerBooks *books, double step)
 {
-    GArray *cuts = g_array_new(FALSE, FALSE, sizeof(double));
+    GArray *cuts = g_array_new(FALSE, FALSE, sizeof(TinkerBookCut));
     const TinkerTimeGrid grid = tinker_time_grid(step);
     const double least = CLOSEST_CUTS * (books->to - books->from);
     for (gint64 k = (gint64)floor(books->from / step);; k++) {
         const double time = tinker_time_grid_at(&grid, k);
         if (!(books->to - time > least)) return cuts;
-        if (time - books->from > least) g_array_append_val(cuts, time);
+        if (time - books->from > least) g_array_append_val(cuts, ((TinkerBookCut){time, time}));
     }
 }
 
@@ -199,10 +204,10 @@ TinkerBooks *tinker_books_new(TinkerScene *scene, const TinkerRunOptions *option
     g_autoptr(GArray) held = g_array_new(FALSE, TRUE, sizeof(TinkerBookBody)),
                       columns = tinker_model_state_columns(scene);
     g_autoptr(GArray) accounts = g_array_new(FALSE, TRUE, sizeof(TinkerBookAccount)), cuts = NULL,
-                      none = g_array_new(FALSE, FALSE, sizeof(double));
+                      none = g_array_new(FALSE, FALSE, sizeof(TinkerBookCut)), jolts = tinker_jolts_new();
     g_array_set_size(accounts, (guint)tinker_scene_id_limit(scene));
     TinkerBookKeeper keeper = {
-        .scene = scene, .books = books, .bodies = held, .accounts = accounts, .columns = columns};
+        .scene = scene, .books = books, .bodies = held, .accounts = accounts, .columns = columns, .jolts = jolts};
     add_bodies(&keeper, frame, bodies);
     /* once for what happens, and then between that */
     g_autoptr(GPtrArray) instants = NULL;

@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "physics/constraint/constraints.h"
+#include "physics/constraint/jolts.h"
 #include "physics/event/contact-run.h"
 #include "physics/force/forces.h"
 #include "physics/model/angles.h"
@@ -32,14 +33,19 @@ static gboolean strikes_now(TinkerBlockBatch *batch, const TinkerForceElement *e
 }
 
 /* The change of velocities that an impulse at a point, or about a turn, makes of the bodies alone. */
-static void push(Blow *blow, int32_t point, int axis, double impulse)
+static void push(Blow *blow, TinkerBlockId by, int32_t point, int axis, double impulse)
 {
-    const TinkerModel *model = blow->run->model;
+    const TinkerIslandRun *run = blow->run;
+    const TinkerModel *model = run->model;
     if (impulse == 0 || point >= model->first_support) return;
     TinkerCoordinateEntry list[2];
     const int32_t count = tinker_model_point_entries(model, point, axis, list);
-    for (int32_t i = 0; i < count; i++)
-        blow->given[list[i].coordinate] += list[i].value * impulse / model->coordinate_mass[list[i].coordinate];
+    for (int32_t i = 0; i < count; i++) {
+        const int32_t coordinate = list[i].coordinate;
+        blow->given[coordinate] += list[i].value * impulse / model->coordinate_mass[coordinate];
+        if (run->jolts != NULL)
+            tinker_jolts_add(run->jolts, model, run->state.t, by, coordinate, list[i].value * impulse);
+    }
 }
 
 static void tell(TinkerIslandRun *run, const TinkerBlockBatch *batch, int32_t row)
@@ -64,9 +70,9 @@ static gboolean take_impulses(Blow *blow, const TinkerBlockBatch *batch, const d
                 return FALSE;
             }
             any |= impulse[2 * e] != 0 || impulse[2 * e + 1] != 0 || turn != 0;
-            push(blow, points[e], 0, impulse[2 * e]);
-            push(blow, points[e], 1, impulse[2 * e + 1]);
-            if (angular != NULL) push(blow, tinker_model_angles(model, batch)->turns[e], 0, turn);
+            push(blow, batch->ids[row], points[e], 0, impulse[2 * e]);
+            push(blow, batch->ids[row], points[e], 1, impulse[2 * e + 1]);
+            if (angular != NULL) push(blow, batch->ids[row], tinker_model_angles(model, batch)->turns[e], 0, turn);
         }
         if (any) tell(blow->run, batch, row);
         blow->any |= any;
@@ -134,6 +140,7 @@ static gboolean answer_by_joints(Blow *blow)
         memset(all->by_point, 0, 2 * (gsize)model->points * sizeof(double));
         memcpy(all->by_point, blow->given, (gsize)model->coordinates * sizeof(double));
         tinker_constraints_answer(model, v);
+        if (run->jolts != NULL) tinker_jolts_add_rows(run->jolts, model, run->state.t);
         memset(model->book_power, 0, sizeof(model->book_power));
         tinker_constraints_add_power(model); // of impulses: their work
         for (int book = 0; book < TINKER_BOOK_COUNT; book++)

@@ -1,14 +1,66 @@
 /* Impacts at an event. */
 #include <glib/gi18n-lib.h>
 #include <math.h>
+#include <string.h>
 
 #include "numerics/solve/disjoint-sets.h"
+#include "physics/constraint/constraints.h"
+#include "physics/constraint/jolts.h"
 #include "physics/contact/contacts.h"
 #include "physics/contact/tolerances.h"
 #include "physics/event/contact-change-private.h"
 #include "physics/event/tolerances.h"
 #include "physics/force/forces.h"
 #include "physics/model/model.h"
+
+/* Notes what a contact that no row stands for gives, each of the two by the other. */
+static void note_touch(const TinkerContactChange *change, const TinkerContact *contact, double pn, double pt)
+{
+    const TinkerModel *model = change->model;
+    const TinkerIslandRun *run = change->run->run;
+    const TinkerPlate *plate = &change->contacts->plates[contact->plate];
+    const double t = run->state.t, *n = plate->normal;
+    if (plate->gap == NULL) {
+        tinker_jolts_add(run->jolts, model, t, plate->block, 2 * contact->body, pn * n[0] + pt * n[1]);
+        tinker_jolts_add(run->jolts, model, t, plate->block, 2 * contact->body + 1, pn * n[1] - pt * n[0]);
+        return;
+    }
+    TinkerContactEntries entries;
+    tinker_contact_gap_entries(change->contacts, contact->plate, &entries);
+    const int32_t first = plate->pair->point[0];
+    for (int32_t k = 0; k < entries.count; k++) {
+        const gboolean is_first = tinker_model_moved_by(model, entries.coordinate[k]) == first;
+        tinker_jolts_add(run->jolts, model, t, is_first ? plate->block : model->body_blocks[first],
+                         entries.coordinate[k], pn * entries.row[0][k] + pt * entries.row[1][k]);
+    }
+}
+
+/* Notes what contacts, ropes and the joints that answer to them give. */
+static void note_jolts(const TinkerContactChange *change, const double *impulses)
+{
+    TinkerModel *model = change->model;
+    TinkerConstraints *all = &model->constraints;
+    const TinkerIslandRun *run = change->run->run;
+    const gsize bytes = (gsize)model->coordinates * sizeof(double);
+    g_autofree double *given = g_malloc0(bytes);
+    tinker_contacts_begin_pushes(change->contacts);
+    for (guint i = 0; i < change->touches->len; i++) {
+        const TinkerTouch *at = tinker_touch(change, i);
+        const double pn = impulses[2 * i], pt = impulses[2 * i + 1];
+        if (pn == 0 && pt == 0) continue;
+        if (at->row >= 0) {
+            tinker_jolts_add_pull(run->jolts, model, run->state.t, at->row, -pn, given);
+            continue;
+        }
+        note_touch(change, &at->contact, pn, pt);
+        tinker_contacts_push_along(change->contacts, &at->contact, pn, pt, given);
+    }
+    if (all->rows == 0) return;
+    memset(all->by_point, 0, 2 * (gsize)model->points * sizeof(double));
+    memcpy(all->by_point, given, bytes);
+    tinker_constraints_answer(model, given);
+    tinker_jolts_add_rows(run->jolts, model, run->state.t);
+}
 
 /* What contacts take goes into their book, the rest is by what moves. */
 gboolean tinker_change_push_all(TinkerContactChange *change, const double *impulses)
@@ -21,6 +73,7 @@ gboolean tinker_change_push_all(TinkerContactChange *change, const double *impul
     for (guint i = 0; i < change->touches->len; i++)
         was[i] = tinker_touch(change, i)->place;
     tinker_change_push(change, impulses, v);
+    if (self->run->jolts != NULL) note_jolts(change, impulses);
     if (tinker_change_set_state(change) != TINKER_OK) return FALSE;
     tinker_change_measure(change);
     double rest = tinker_model_kinetic_change(model, before, v);

@@ -49,6 +49,7 @@ typedef struct {
     double pole;            /* s: no step goes beyond it; INFINITY */
     TinkerBlockId pole_block;
     TinkerBooks books;
+    GArray *jolts;                            /* see TinkerRunOptions; NULL in a companion */
     struct _TinkerContactRun *contacts;       /* NULL where nothing can touch anything */
     struct _TinkerDirectionWatch *directions; /* NULL where no line has a force at length 0 */
     struct _TinkerIdleLines *idle;            /* NULL where no line is without force over a range of lengths */
