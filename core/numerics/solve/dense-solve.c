@@ -1,4 +1,5 @@
-/* Elimination with row pivoting; xGELSY behind it. */
+/* Elimination with row pivoting; xGELSY behind it. Pivots by rows alone may be far larger than the least singular
+ * value: where one is small, complete pivoting tells the rank. */
 #include "numerics/solve/dense-solve.h"
 
 #include <glib.h>
@@ -6,16 +7,20 @@
 #include <string.h>
 
 #include "numerics/solve/lapack.h"
+#include "numerics/solve/pivoted-solve.h"
 #include "numerics/solve/rank.h"
 
 /* The largest n whose square is an int32_t. */
 #define MOST_UNKNOWNS 46340
+/* Of the largest entry: behind a smaller pivot the rank is looked at. */
+#define SMALL_PIVOT 1e-2
 
 struct TinkerDenseSolve {
     int32_t n;
     gboolean full;  /* rank, of the matrix taken last */
     double *matrix; /* by rows; or its factors */
     double *given;  /* of a singular one: by columns */
+    double *trial;  /* of one with a small pivot, for its rank */
     double *work;
     int32_t *pivots;
     int32_t *order;
@@ -29,11 +34,12 @@ TinkerDenseSolve *tinker_dense_solve_new(int32_t n)
     solve->n = n;
     solve->matrix = g_try_new0(double, size *size);
     solve->given = g_try_new0(double, size *size);
+    solve->trial = g_try_new0(double, size *size);
     solve->work = g_try_new0(double, tinker_least_norm_room((int32_t)size));
     solve->pivots = g_try_new0(int32_t, size);
     solve->order = g_try_new0(int32_t, size);
-    if (solve->matrix == NULL || solve->given == NULL || solve->work == NULL || solve->pivots == NULL ||
-        solve->order == NULL)
+    if (solve->matrix == NULL || solve->given == NULL || solve->trial == NULL || solve->work == NULL ||
+        solve->pivots == NULL || solve->order == NULL)
         g_clear_pointer(&solve, tinker_dense_solve_free);
     return solve;
 }
@@ -41,7 +47,7 @@ TinkerDenseSolve *tinker_dense_solve_new(int32_t n)
 void tinker_dense_solve_free(TinkerDenseSolve *solve)
 {
     if (solve == NULL) return;
-    gpointer arrays[] = {solve->matrix, solve->given, solve->work, solve->pivots, solve->order};
+    gpointer arrays[] = {solve->matrix, solve->given, solve->trial, solve->work, solve->pivots, solve->order};
     for (gsize i = 0; i < G_N_ELEMENTS(arrays); i++)
         g_free(arrays[i]);
     g_free(solve);
@@ -64,10 +70,19 @@ static double greatest_entry(const double *a, int32_t count)
     return greatest;
 }
 
+/* By elimination with complete pivoting. */
+static gboolean has_full_rank(TinkerDenseSolve *solve, const double *matrix)
+{
+    const int32_t n = solve->n;
+    memcpy(solve->trial, matrix, (gsize)n * (gsize)n * sizeof(double));
+    memset(solve->work, 0, (gsize)n * sizeof(double));
+    return tinker_pivoted_solve(n, solve->trial, solve->work, solve->order, TINKER_DEPENDENT) == n;
+}
+
 int tinker_dense_solve_factor(TinkerDenseSolve *solve, const double *matrix)
 {
     int32_t n = solve->n;
-    double *a = solve->matrix, least = TINKER_DEPENDENT * greatest_entry(matrix, n * n);
+    double *a = solve->matrix, greatest = greatest_entry(matrix, n * n), least = greatest;
     memcpy(a, matrix, (gsize)n * (gsize)n * sizeof(double));
     for (int32_t i = 0; i < n; i++)
         for (int32_t j = 0; j < n; j++)
@@ -77,7 +92,8 @@ int tinker_dense_solve_factor(TinkerDenseSolve *solve, const double *matrix)
         int32_t pivot = k;
         for (int32_t i = k + 1; i < n; i++)
             if (fabs(a[i * n + k]) > fabs(a[pivot * n + k])) pivot = i;
-        if (!(fabs(a[pivot * n + k]) > least)) return 0;
+        least = fmin(least, fabs(a[pivot * n + k]));
+        if (!(least > TINKER_DEPENDENT * greatest)) return 0;
         solve->pivots[k] = pivot;
         exchange_rows(a, n, k, pivot);
         for (int32_t i = k + 1; i < n; i++) {
@@ -86,8 +102,8 @@ int tinker_dense_solve_factor(TinkerDenseSolve *solve, const double *matrix)
                 a[i * n + j] -= factor * a[k * n + j];
         }
     }
-    solve->full = TRUE;
-    return 1;
+    solve->full = least > SMALL_PIVOT * greatest || has_full_rank(solve, matrix);
+    return solve->full;
 }
 
 static void substitute(const TinkerDenseSolve *solve, double *b)
