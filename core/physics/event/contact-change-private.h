@@ -8,6 +8,9 @@
 #include "physics/event/tolerances.h"
 #include "physics/model/model-data.h"
 
+/* Changes at one instant: so many do not end by themselves. */
+#define TINKER_MANY_AT_ONCE 8
+
 /* A contact that is closed, or closes now: of a body with a plate; or a constraint row that holds in one direction
  * only, and is taut or becomes so. A row is a contact without friction that opens as its g falls. */
 typedef struct {
@@ -153,6 +156,12 @@ void tinker_change_note_alternatives(TinkerContactChange *change, const TinkerIm
 /* Drops what parts, and decides of all that is left, by the laws of accelerations, whether it opens, slips or sticks;
  * an impulse ends sliding that jams. FALSE: refused. */
 gboolean tinker_change_decide(TinkerContactChange *change, GError **error);
+
+/* Whether so many changes came before this one at the same instant that they do not end by themselves. */
+static inline gboolean tinker_change_repeats(const TinkerContactChange *change)
+{
+    return change->run != NULL && change->run->at_once >= TINKER_MANY_AT_ONCE;
+}
 
 /* What guides the body together with a touch; NULL for nothing. */
 TinkerTouch *tinker_change_other_side(const TinkerContactChange *change, const TinkerTouch *at);

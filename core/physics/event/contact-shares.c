@@ -6,8 +6,6 @@
 #include "physics/event/contact-change-private.h"
 #include "physics/island/island-run.h"
 
-/* Changes at one instant: so many do not end by themselves. */
-#define MANY_AT_ONCE 8
 /* What presses least is to press by so much of what presses most, and where that leads nowhere by so many times less.
  */
 #define LARGEST_LEAST 0.1
@@ -153,7 +151,7 @@ gboolean tinker_change_share_load(TinkerContactChange *change)
 {
     if (try_share(change, share_evenly)) return TRUE;
     const gboolean turns = tinker_contact_run_goes_by_turns(change->run, &change->trigger);
-    if ((turns || change->run->at_once >= MANY_AT_ONCE) && share_within(change)) return TRUE;
+    if ((turns || tinker_change_repeats(change)) && share_within(change)) return TRUE;
     if (turns && change->trigger.row < 0 && share_where_it_turns(change)) return TRUE;
     try_share(change, share_by_load);
     return FALSE;
