@@ -11,7 +11,11 @@
 #include "physics/system/method-call.h"
 #include "physics/system/system.h"
 
-#define MOST_TRIALS 12
+#define MOST_TRIALS 24
+/* Of a step that was searched: an event may be so much later than its end, as dense output has it. */
+#define BEYOND_STEP 0.01
+/* Events that a step may turn out to have passed on the way to one. */
+#define MOST_EARLIER 8
 
 static void go_back(TinkerContactRun *self)
 {
@@ -29,6 +33,16 @@ static double next_trial(const Trial *trial, const Trial *before, double *slope)
 {
     if (trial->time != before->time) *slope = (trial->value - before->value) / (trial->time - before->time);
     return *slope < 0 ? trial->time - trial->value / *slope : trial->time;
+}
+
+/* Where a trial leads, between times that are known to be before and behind the fall; halfway, where a slope that is
+ * little more than rounding leads past them. */
+static double next_within(const Trial *trial, double next, double level, double *first, double *end)
+{
+    if (trial->value > fabs(level)) *first = fmax(*first, trial->time);
+    if (trial->value < -fabs(level)) *end = fmin(*end, trial->time);
+    const gboolean leads_past = (next > *end && trial->time >= *end) || (next < *first && trial->time <= *first);
+    return leads_past ? 0.5 * (*first + *end) : CLAMP(next, *first, *end);
 }
 
 /* Whether the trial is the event, as well as it can be told: the next is where it is, or the value is rounding and the
@@ -98,13 +112,15 @@ static TinkerStatus cut_to_event(TinkerContactRun *self, const TinkerTrigger *tr
 }
 
 /* The step is made again, to the event: dense output says when it is, the step itself how far it is off there. Where
- * the method makes several steps of it, the last of them goes on from here. */
+ * the method makes several steps of it, the last of them goes on from here. What falls at once stays there: a slope
+ * that is next to nothing would lead past everything else. */
 static TinkerStatus step_to_event(TinkerContactRun *self, const TinkerTrigger *trigger, double time, double slope,
                                   TinkerStepReport *report)
 {
     TinkerIslandRun *run = self->run;
-    double from = self->from.t, end = self->limit;
-    double first = MIN(from + fmax(TINKER_AT_ONCE * (run->state.t - from), 4 * DBL_EPSILON * fabs(from)), end);
+    const double from = self->from.t, length = run->state.t - from;
+    double first = MIN(from + fmax(TINKER_AT_ONCE * length, 4 * DBL_EPSILON * fabs(from)), self->limit);
+    double end = time > from ? CLAMP(run->state.t + BEYOND_STEP * length, first, self->limit) : first;
     Trial trial = {CLAMP(time, first, end), 0}, before = trial;
     if (tinker_contact_run_ends_near(self, trial.time)) before.time = trial.time = run->state.t;
     for (int k = 0; k < MOST_TRIALS; k++) {
@@ -122,7 +138,7 @@ static TinkerStatus step_to_event(TinkerContactRun *self, const TinkerTrigger *t
         tinker_island_run_place(run);
         status = tinker_contact_run_value(self, run->state.t, run->q, run->v, trigger, &trial.value, self->power);
         if (status != TINKER_OK) return status;
-        double next = CLAMP(next_trial(&trial, &before, &slope), first, end);
+        const double next = next_within(&trial, next_trial(&trial, &before, &slope), trigger->level, &first, &end);
         if (has_settled(&trial, &before, next, trigger->level)) break;
         gboolean there;
         status = tinker_contact_run_carry_to(self, trigger, next, report, &there);
@@ -135,9 +151,50 @@ static TinkerStatus step_to_event(TinkerContactRun *self, const TinkerTrigger *t
     return TINKER_OK;
 }
 
-TinkerStatus tinker_contact_run_end_at(TinkerContactRun *self, const TinkerTrigger *trigger, double time, double slope,
-                                       TinkerStepReport *report)
+static TinkerStatus end_at_fall(TinkerContactRun *self, const TinkerTrigger *trigger, double time, double slope,
+                                TinkerStepReport *report)
 {
     return self->remembers ? cut_to_event(self, trigger, time, slope, report)
                            : step_to_event(self, trigger, time, slope, report);
+}
+
+static gboolean is_same(const TinkerTrigger *a, const TinkerTrigger *b)
+{
+    return a->kind == b->kind && a->body == b->body && a->plate == b->plate && a->row == b->row;
+}
+
+/* Whether another gap than the event's has closed before it: dense output of a long step may put events in another
+ * order than the step that ends at one of them. */
+static TinkerStatus has_passed_another(TinkerContactRun *self, const TinkerTrigger *trigger, gboolean *passed)
+{
+    TinkerIslandRun *run = self->run;
+    const double closed = tinker_contact_run_closed_gap(self);
+    *passed = FALSE;
+    tinker_island_run_place(run);
+    TinkerStatus status = tinker_model_set_time(self->model, run->state.t);
+    if (status == TINKER_OK) tinker_model_set_state(self->model, run->q, run->v);
+    for (guint i = 0; status == TINKER_OK && i < self->triggers->len && !*passed; i++) {
+        const TinkerTrigger *other = &g_array_index(self->triggers, TinkerTrigger, i);
+        if (other->kind != TINKER_TRIGGER_GAP || other->row >= 0 || is_same(other, trigger)) continue;
+        *passed = tinker_trigger_value(self, other) < -closed;
+    }
+    return status;
+}
+
+TinkerStatus tinker_contact_run_end_at(TinkerContactRun *self, const TinkerTrigger *trigger, double time, double slope,
+                                       TinkerStepReport *report)
+{
+    TinkerTrigger first = *trigger;
+    for (int times = 0;;) {
+        TinkerTrigger earlier;
+        gboolean passed = FALSE;
+        TinkerStatus status = end_at_fall(self, &first, time, slope, report);
+        if (status == TINKER_OK && self->pending) status = has_passed_another(self, &first, &passed);
+        if (status != TINKER_OK || !passed) return status;
+        status = tinker_contact_run_search(self, self->from.t, self->run->state.t, &earlier, &time, &slope);
+        if (status != TINKER_OK || earlier.kind == TINKER_TRIGGER_NONE || is_same(&earlier, &first)) return status;
+        if (++times == MOST_EARLIER) return TINKER_OK;
+        first = earlier;
+        self->pending = FALSE;
+    }
 }
