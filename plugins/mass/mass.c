@@ -47,27 +47,18 @@ static TinkerStatus values(TinkerBatch *batch, const TinkerGraphInput *input, in
     if (quantity >= QUANTITY_CONTACTS && quantity < QUANTITY_ACCELERATION)
         return tinker_contact_values(batch, input, quantity - QUANTITY_CONTACTS, result);
     const double *mass = tinker_column(batch, COLUMN_MASS);
-    for (int32_t i = 0; i < batch->count; i++) {
-        const double vx = input->ends[i].vx, vy = input->ends[i].vy;
-        switch (quantity) {
-        case QUANTITY_SPEED:
-            result[i] = tinker_length(vx, vy);
-            break;
-        case QUANTITY_ACCELERATION:
-            result[i] = tinker_length(input->accelerations[2 * i], input->accelerations[2 * i + 1]);
-            break;
-        case QUANTITY_KINETIC_ENERGY:
+    if (quantity == QUANTITY_KINETIC_ENERGY) {
+        for (int32_t i = 0; i < batch->count; i++) {
+            const double vx = input->ends[i].vx, vy = input->ends[i].vy;
             result[i] = 0.5 * mass[i] * (vx * vx + vy * vy);
-            break;
-        case QUANTITY_X_MOMENTUM:
-            result[i] = mass[i] * vx;
-            break;
-        default:
-            result[i] = mass[i] * vy;
-            break;
         }
+        return TINKER_OK;
     }
-    return TINKER_OK;
+    const int32_t component = quantity == QUANTITY_SPEED          ? 0
+                              : quantity == QUANTITY_ACCELERATION ? 1
+                              : quantity == QUANTITY_X_MOMENTUM   ? 2
+                                                                  : 3;
+    return tinker_centre_values(batch, input, mass, component, result);
 }
 
 /* Tables */

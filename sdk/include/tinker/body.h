@@ -122,16 +122,6 @@ enum {
         TINKER_QUANTITY(0, "x momentum", "X Momentum", "m vx", TINKER_DIMENSION_MOMENTUM),                             \
         TINKER_QUANTITY(0, "y momentum", "Y Momentum", "m vy", TINKER_DIMENSION_MOMENTUM)
 
-/* What they tell of the centre of mass alone, from 16 on: as of a point mass. */
-static inline double tinker_body_centre_value(const TinkerPoint *centre, const double *acceleration, double mass,
-                                              int32_t quantity)
-{
-    return quantity == 16   ? tinker_length(centre->vx, centre->vy)
-           : quantity == 17 ? tinker_length(acceleration[0], acceleration[1])
-           : quantity == 18 ? mass * centre->vx
-                            : mass * centre->vy;
-}
-
 /* TinkerGraph.values of a block with these properties and quantities. */
 static inline TinkerStatus tinker_body_values(TinkerBatch *batch, const TinkerGraphInput *input, int32_t quantity,
                                               double *values)
@@ -141,11 +131,7 @@ static inline TinkerStatus tinker_body_values(TinkerBatch *batch, const TinkerGr
     const TinkerPose *poses = TINKER_HAS(TinkerGraphInput, input, poses) ? input->poses : NULL;
     if (quantity < 8 && of_point[quantity] >= 0) return tinker_point_values(batch, input, of_point[quantity], values);
     if (quantity >= 13 && quantity < 16) return tinker_contact_values(batch, input, quantity - 13, values);
-    if (quantity >= 16) {
-        for (int32_t i = 0; i < batch->count; i++)
-            values[i] = tinker_body_centre_value(&input->ends[i], &input->accelerations[2 * i], mass[i], quantity);
-        return TINKER_OK;
-    }
+    if (quantity >= 16) return tinker_centre_values(batch, input, mass, quantity - 16, values);
     if (poses == NULL) return tinker_fail(batch, 0, "angles are not known yet");
     for (int32_t i = 0; i < batch->count; i++) {
         const TinkerPoint *point = &input->ends[i];

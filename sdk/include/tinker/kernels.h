@@ -147,6 +147,23 @@ static inline TinkerStatus tinker_point_values(TinkerBatch *batch, const TinkerG
     return TINKER_OK;
 }
 
+/* Component 0 to 3 (speed, magnitude of the acceleration, momentum in x, in y) of the centre of every instance, of
+ * these masses. */
+static inline TinkerStatus tinker_centre_values(TinkerBatch *batch, const TinkerGraphInput *input, const double *mass,
+                                                int32_t component, double *values)
+{
+    const double *a = input->accelerations;
+    if (component == 1 && a == NULL) return tinker_fail(batch, 0, "accelerations are not known yet");
+    for (int32_t i = 0; i < batch->count; i++) {
+        const TinkerPoint *point = &input->ends[i];
+        values[i] = component == 0   ? tinker_length(point->vx, point->vy)
+                    : component == 1 ? tinker_length(a[2 * i], a[2 * i + 1])
+                    : component == 2 ? mass[i] * point->vx
+                                     : mass[i] * point->vy;
+    }
+    return TINKER_OK;
+}
+
 /* Component 0 to 2 (normal force, friction force, magnitude of the whole) of what acts on every instance through its
  * contacts; 0 from a host that tells of none. */
 static inline TinkerStatus tinker_contact_values(TinkerBatch *batch, const TinkerGraphInput *input, int32_t component,
