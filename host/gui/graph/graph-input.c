@@ -39,7 +39,7 @@ char *tinker_graph_plot_zoom_text(TinkerGraphPlot *plot)
 
 void tinker_graph_plot_zoom(TinkerGraphPlot *plot, TinkerGraphAxes axes, double factor)
 {
-    const TinkerPlotGeometry *geometry = &plot->geometry;
+    const TinkerPlotGeometry *geometry = tinker_graph_plot_geometry(plot);
     if (!(geometry->right > geometry->left)) return;
     tinker_graph_zoom_by(&plot->zoom, geometry, axes, (geometry->left + geometry->right) / 2,
                          (geometry->top + geometry->bottom) / 2, factor);
@@ -48,7 +48,7 @@ void tinker_graph_plot_zoom(TinkerGraphPlot *plot, TinkerGraphAxes axes, double 
 
 void tinker_graph_plot_pan(TinkerGraphPlot *plot, double right, double up)
 {
-    const TinkerPlotGeometry *geometry = &plot->geometry;
+    const TinkerPlotGeometry *geometry = tinker_graph_plot_geometry(plot);
     if (!(geometry->right > geometry->left)) return;
     const TinkerGraphAxes axes = right != 0 ? TINKER_GRAPH_X : TINKER_GRAPH_UP;
     tinker_graph_zoom_pan(&plot->zoom, geometry, axes, -right * (geometry->right - geometry->left),
@@ -181,7 +181,8 @@ static void on_drag_update(GtkGestureDrag *gesture, double dx, double dy, Tinker
     const double x = plot->drag_start[0] + dx, y = plot->drag_start[1] + dy;
     const TinkerGraphAxes axes = tinker_graph_axes_at(&plot->geometry, plot->drag_start[0], plot->drag_start[1]);
     if (plot->drag == TINKER_GRAPH_PAN) {
-        tinker_graph_zoom_pan(&plot->zoom, &plot->geometry, axes, x - plot->drag_now[0], y - plot->drag_now[1]);
+        tinker_graph_zoom_pan(&plot->zoom, tinker_graph_plot_geometry(plot), axes, x - plot->drag_now[0],
+                              y - plot->drag_now[1]);
         zoomed(plot, axes);
     }
     plot->drag_now[0] = x;
@@ -195,7 +196,7 @@ static void on_drag_end(GtkGestureDrag *gesture, double dx, double dy, TinkerGra
     const TinkerGraphDrag drag = plot->drag;
     plot->drag = TINKER_GRAPH_NO_DRAG;
     if (drag == TINKER_GRAPH_BOX && axes != 0) {
-        tinker_graph_zoom_box(&plot->zoom, &plot->geometry, axes, plot->drag_start, plot->drag_now);
+        tinker_graph_zoom_box(&plot->zoom, tinker_graph_plot_geometry(plot), axes, plot->drag_start, plot->drag_now);
         zoomed(plot, axes);
     } else if (drag != TINKER_GRAPH_NO_DRAG && axes == 0) {
         clicked(plot, plot->drag_start[0], plot->drag_start[1], modifiers_of(gesture));
@@ -234,7 +235,8 @@ static gboolean on_scroll(GtkEventControllerScroll *scroll, double dx, double dy
     if (page_scrolls && !(modifiers & (GDK_CONTROL_MASK | GDK_SHIFT_MASK))) return GDK_EVENT_PROPAGATE;
     if (!page_scrolls && (modifiers & GDK_CONTROL_MASK)) axes = TINKER_GRAPH_X;
     if (modifiers & GDK_SHIFT_MASK) axes = TINKER_GRAPH_UP;
-    tinker_graph_zoom_by(&plot->zoom, &plot->geometry, axes, plot->pointer[0], plot->pointer[1], pow(WHEEL_STEP, -by));
+    tinker_graph_zoom_by(&plot->zoom, tinker_graph_plot_geometry(plot), axes, plot->pointer[0], plot->pointer[1],
+                         pow(WHEEL_STEP, -by));
     zoomed(plot, axes);
     return GDK_EVENT_STOP;
 }

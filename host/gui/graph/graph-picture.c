@@ -25,6 +25,15 @@ void tinker_graph_plot_fill(TinkerGraphPlot *plot, TinkerPlot *picture)
     tinker_graph_zoom_apply(&plot->zoom, picture);
 }
 
+const TinkerPlotGeometry *tinker_graph_plot_geometry(TinkerGraphPlot *plot)
+{
+    TinkerPlot picture = {.theme = plot->picture.theme, .quick = plot->picture.quick, .memory = plot->memory};
+    if (!plot->is_stale || plot->picture.theme == NULL) return &plot->geometry;
+    tinker_graph_plot_fill(plot, &picture);
+    tinker_plot_measure(&picture, plot->picture.width, plot->picture.height, &plot->geometry);
+    return &plot->geometry;
+}
+
 gboolean tinker_graph_plot_read(TinkerGraphPlot *plot, const TinkerPlot *picture, double x, double y,
                                 TinkerGraphReading *reading)
 {

@@ -40,6 +40,9 @@ struct _TinkerGraphPlot {
 
 /* Draws anew at the next frame. */
 void tinker_graph_plot_renew(TinkerGraphPlot *plot);
+/* Where the axes are by what is shown now, drawn yet or not: what follows within the same frame goes on from there.
+ * Borrowed. */
+const TinkerPlotGeometry *tinker_graph_plot_geometry(TinkerGraphPlot *plot);
 /* What is drawn, but for theme and reading. */
 void tinker_graph_plot_fill(TinkerGraphPlot *plot, TinkerPlot *picture);
 /* What the pointer reads: the nearest curve's maximum, minimum or zero, or its point. */
