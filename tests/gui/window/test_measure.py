@@ -66,9 +66,10 @@ def test_buttons_are_inside_of_a_small_window(display):
     with App(display, triangle()) as app:
         widest = max(app.windows(), key=lambda window: window[1][2])  # others are tips
         app.xdotool("windowsize", widest[0], 800, 500)
+        wait(lambda: max(size[2] for _, size in app.windows()) == 800, "the window to be small")
+        wait(lambda: app.canvas_box()[2] < 450, "the canvas to be small: symbols of blocks, canvas, and the panel")
         app.press("ctrl+shift+r")
         put_away = app.find("button", "Put Away")
-        wait(lambda: app.canvas_box()[2] < 400, "the canvas to be small")
         left, top, width, height = app.canvas_box()
         for button in (app.find("button", "Keep as Angle Mark"), put_away):
             x, y, across, down = app.settled(button)
