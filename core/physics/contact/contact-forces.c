@@ -19,74 +19,6 @@ static const double *acceleration_of(const TinkerContacts *contacts, const Tinke
     return contacts->model->point_acceleration + 2 * contacts->plates[contact->plate].point;
 }
 
-void tinker_contacts_begin_pushes(TinkerContacts *contacts)
-{
-    contacts->pushed = FALSE;
-}
-
-void tinker_contacts_add_push(TinkerContacts *contacts, int32_t body, double px, double py, double *v)
-{
-    const TinkerModel *model = contacts->model;
-    const double change[2] = {px * model->inverse_mass[body], py * model->inverse_mass[body]};
-    double *by_point = model->constraints.by_point;
-    v[2 * body] += change[0];
-    v[2 * body + 1] += change[1];
-    if (!contacts->held[body]) return;
-    if (!contacts->pushed) memset(by_point, 0, 2 * (gsize)model->points * sizeof(double));
-    contacts->pushed = TRUE;
-    by_point[2 * body] += change[0];
-    by_point[2 * body + 1] += change[1];
-}
-
-/* Pushes along a row of entries, by so many N s. */
-static void add_entry_push(TinkerContacts *contacts, const TinkerContactEntries *entries, double normal,
-                           double tangential, double *v)
-{
-    const TinkerModel *model = contacts->model;
-    double *by_point = model->constraints.by_point;
-    for (int32_t k = 0; k < entries->count; k++) {
-        const int32_t at = entries->coordinate[k], body = tinker_model_moved_by(model, at);
-        const double change =
-            (entries->row[0][k] * normal + entries->row[1][k] * tangential) * model->inverse_mass[body];
-        v[at] += change;
-        if (!contacts->held[body]) continue;
-        if (!contacts->pushed) memset(by_point, 0, 2 * (gsize)model->points * sizeof(double));
-        contacts->pushed = TRUE;
-        by_point[at] += change;
-    }
-}
-
-void tinker_contacts_push_along(TinkerContacts *contacts, const TinkerContact *contact, double normal,
-                                double tangential, double *v)
-{
-    const TinkerPlate *plate = &contacts->plates[contact->plate];
-    const double *n = plate->normal;
-    TinkerContactEntries entries;
-    if (plate->gap == NULL) {
-        tinker_contacts_add_push(contacts, contact->body, normal * n[0] + tangential * n[1],
-                                 normal * n[1] - tangential * n[0], v);
-        return;
-    }
-    tinker_contact_gap_entries(contacts, contact->plate, &entries);
-    add_entry_push(contacts, &entries, normal, tangential, v);
-}
-
-void tinker_contacts_along(const TinkerContacts *contacts, const TinkerContact *contact, const double *by_coordinate,
-                           double along[2])
-{
-    const TinkerPlate *plate = &contacts->plates[contact->plate];
-    const double *n = plate->normal, *at = by_coordinate + 2 * contact->body;
-    TinkerContactEntries entries;
-    if (plate->gap == NULL) {
-        along[0] = n[0] * at[0] + n[1] * at[1];
-        along[1] = n[1] * at[0] - n[0] * at[1];
-        return;
-    }
-    tinker_contact_gap_entries(contacts, contact->plate, &entries);
-    for (int which = 0; which < 2; which++)
-        along[which] = tinker_contact_times(&entries, which, by_coordinate);
-}
-
 void tinker_contacts_relative_acceleration(const TinkerContacts *contacts, const TinkerContact *contact,
                                            const double *a, double along[2])
 {
@@ -103,16 +35,6 @@ void tinker_contacts_relative_acceleration(const TinkerContacts *contacts, const
         along[which] = tinker_contact_times(&entries, which, a) + entries.drift[which];
 }
 
-static const TinkerContactEntries *entries_of(const TinkerContacts *contacts, const TinkerContactRow *row)
-{
-    return &g_array_index(contacts->entries, TinkerContactEntries, (guint)row->entries);
-}
-
-static const TinkerContactEntries *resisting_of(const TinkerContacts *contacts, const TinkerContactRow *row)
-{
-    return &g_array_index(contacts->entries, TinkerContactEntries, (guint)row->resisting_entries);
-}
-
 static void refresh(TinkerContacts *contacts, int32_t closed, int32_t entries)
 {
     tinker_contact_gap_entries(contacts, tinker_contacts_closed(contacts, (guint)closed)->plate,
@@ -127,63 +49,6 @@ void tinker_contacts_refresh_entries(TinkerContacts *contacts)
         if (row->resisting >= 0) refresh(contacts, row->resisting, row->resisting_entries);
         if (row->entries < 0 || (row->tangential && !tinker_contacts_resists(contacts, contact))) continue;
         refresh(contacts, row->contact, row->entries);
-    }
-}
-
-double tinker_contact_row_times(const TinkerContacts *contacts, const TinkerContactRow *row,
-                                const double *by_coordinate)
-{
-    const double *at = by_coordinate + 2 * tinker_contacts_closed(contacts, (guint)row->contact)->body;
-    if (row->entries >= 0) return tinker_contact_times(entries_of(contacts, row), row->tangential, by_coordinate);
-    return row->row[0] * at[0] + row->row[1] * at[1];
-}
-
-void tinker_contact_row_push(TinkerContacts *contacts, const TinkerContactRow *row, double push, gboolean moves,
-                             double *v)
-{
-    const double *direction = moves ? row->row : row->force;
-    if (row->entries < 0)
-        tinker_contacts_add_push(contacts, tinker_contacts_closed(contacts, (guint)row->contact)->body,
-                                 push * direction[0], push * direction[1], v);
-    else if (row->tangential)
-        add_entry_push(contacts, entries_of(contacts, row), 0, push, v);
-    else
-        add_entry_push(contacts, entries_of(contacts, row), push, moves ? 0 : push * row->share, v);
-    if (row->resisting >= 0 && !moves)
-        add_entry_push(contacts, resisting_of(contacts, row), 0, push * row->resisting_share, v);
-}
-
-void tinker_contacts_end_pushes(TinkerContacts *contacts, double *v)
-{
-    if (contacts->pushed) tinker_constraints_answer(contacts->model, v);
-}
-
-void tinker_contacts_push(TinkerContacts *contacts, int32_t body, double px, double py, double *v)
-{
-    tinker_contacts_begin_pushes(contacts);
-    tinker_contacts_add_push(contacts, body, px, py, v);
-    tinker_contacts_end_pushes(contacts, v);
-}
-
-/* What a push in a direction does to all bodies, in contacts->column. */
-static const double *answer_to(TinkerContacts *contacts, int32_t body, const double direction[2])
-{
-    memset(contacts->column, 0, (gsize)contacts->model->coordinates * sizeof(double));
-    tinker_contacts_push(contacts, body, direction[0], direction[1], contacts->column);
-    return contacts->column;
-}
-
-void tinker_contacts_delassus(TinkerContacts *contacts, const TinkerContact *touching, int32_t count, double *delassus)
-{
-    for (int32_t column = 0; column < 2 * count; column++) {
-        const double *normal = contacts->plates[touching[column / 2].plate].normal;
-        const double push[2] = {column % 2 == 0 ? normal[0] : normal[1], column % 2 == 0 ? normal[1] : -normal[0]};
-        const double *change = answer_to(contacts, touching[column / 2].body, push);
-        for (int32_t i = 0; i < count; i++) {
-            const double *n = contacts->plates[touching[i].plate].normal, *at = change + 2 * touching[i].body;
-            delassus[2 * i * 2 * count + column] = n[0] * at[0] + n[1] * at[1];
-            delassus[(2 * i + 1) * 2 * count + column] = n[1] * at[0] - n[0] * at[1];
-        }
     }
 }
 
@@ -353,7 +218,7 @@ static void accelerate_by(const TinkerContacts *contacts, const TinkerContactRow
         a[2 * body + 1] += row->force[1] * force * model->inverse_mass[body];
         return;
     }
-    const TinkerContactEntries *entries = entries_of(contacts, row);
+    const TinkerContactEntries *entries = tinker_contact_row_entries(contacts, row);
     for (int32_t k = 0; k < entries->count; k++) {
         const int32_t at = entries->coordinate[k];
         const double along = entries->row[row->tangential][k] + (row->tangential ? 0 : row->share * entries->row[1][k]);
@@ -361,7 +226,8 @@ static void accelerate_by(const TinkerContacts *contacts, const TinkerContactRow
         a[at] += part;
         contacts->acts[at] += fabs(part);
     }
-    if (row->resisting >= 0) accelerate_along(contacts, resisting_of(contacts, row), force * row->resisting_share, a);
+    if (row->resisting >= 0)
+        accelerate_along(contacts, tinker_contact_row_resisting(contacts, row), force * row->resisting_share, a);
 }
 
 /* Takes over the force of a row that was solved for. */
@@ -402,7 +268,7 @@ static void accelerate_rows(TinkerContacts *contacts, double *a)
     for (guint i = 0; i < contacts->rows->len; i++) {
         const double *at = free_of_contacts + 2 * body_of(contacts, &rows[i]);
         if (rows[i].entries >= 0) {
-            const TinkerContactEntries *entries = entries_of(contacts, &rows[i]);
+            const TinkerContactEntries *entries = tinker_contact_row_entries(contacts, &rows[i]);
             const int which = rows[i].tangential;
             demand[i] =
                 -(tinker_contact_times(entries, which, free_of_contacts) + entries->drift[which]) * rows[i].weight;
@@ -461,8 +327,9 @@ static void clear_rests(const TinkerContacts *contacts, double *a)
         const TinkerContactBlock *block = &g_array_index(contacts->blocks, TinkerContactBlock, i);
         const double share = CANCELLED * fmax(1, block->count / CANCELLED_ROWS);
         for (int32_t k = block->first; k < block->first + block->count; k++) {
-            if (rows[k].entries >= 0) clear_rest(contacts, entries_of(contacts, &rows[k]), share, a);
-            if (rows[k].resisting >= 0) clear_rest(contacts, resisting_of(contacts, &rows[k]), share, a);
+            if (rows[k].entries >= 0) clear_rest(contacts, tinker_contact_row_entries(contacts, &rows[k]), share, a);
+            if (rows[k].resisting >= 0)
+                clear_rest(contacts, tinker_contact_row_resisting(contacts, &rows[k]), share, a);
         }
     }
 }
@@ -502,127 +369,4 @@ void tinker_contacts_add_friction(const TinkerContacts *contacts, double *a)
         a[2 * contact->body] += n[1] * push;
         a[2 * contact->body + 1] -= n[0] * push;
     }
-}
-
-static void add_gap_power(TinkerContacts *contacts, const TinkerContact *contact)
-{
-    TinkerModel *model = contacts->model;
-    TinkerContactEntries entries;
-    tinker_contact_gap_entries(contacts, contact->plate, &entries);
-    if (contact->mode != TINKER_CONTACT_STICK)
-        model->book_power[TINKER_BOOK_FRICTION] +=
-            contact->friction * tinker_contact_gap_place(contacts, contact->plate).tangential_speed;
-    if (contacts->plates[contact->plate].moving)
-        model->book_power[TINKER_BOOK_SUPPORT_MOTION] -=
-            contact->normal * entries.of_supports[0] + contact->friction * entries.of_supports[1];
-}
-
-void tinker_contacts_add_power(TinkerContacts *contacts)
-{
-    TinkerModel *model = contacts->model;
-    model->book_power[TINKER_BOOK_FRICTION] = 0;
-    for (guint i = 0; i < contacts->closed->len; i++) {
-        const TinkerContact *contact = tinker_contacts_closed(contacts, i);
-        const TinkerPlate *plate = &contacts->plates[contact->plate];
-        const double nx = plate->normal[0], ny = plate->normal[1];
-        const TinkerPoint *at = &model->point[contact->body], *base = &model->point[plate->point];
-        if (plate->gap != NULL) {
-            add_gap_power(contacts, contact);
-            continue;
-        }
-        if (contact->mode != TINKER_CONTACT_STICK)
-            model->book_power[TINKER_BOOK_FRICTION] +=
-                contact->friction * (ny * (at->vx - base->vx) - nx * (at->vy - base->vy));
-        if (plate->moving)
-            model->book_power[TINKER_BOOK_SUPPORT_MOTION] +=
-                (contact->normal * nx + contact->friction * ny) * base->vx +
-                (contact->normal * ny - contact->friction * nx) * base->vy;
-    }
-}
-
-double tinker_contacts_moment(const TinkerContacts *contacts, int32_t number)
-{
-    for (guint i = 0; contacts->resistance_count > 0 && i < contacts->closed->len; i++) {
-        const TinkerContact *contact = tinker_contacts_closed(contacts, i);
-        if (contact->bearer == number) return contact->friction * contacts->plates[contact->plate].arm;
-    }
-    return 0;
-}
-
-static void add_force(double *sums, double normal, double friction, double fx, double fy)
-{
-    sums[0] += normal;
-    sums[1] += friction;
-    sums[2] += fx;
-    sums[3] += fy;
-}
-
-/* On the second of the pair along its own axes, as supports have it. A moment is no force. */
-static void add_gap_force(const TinkerContacts *contacts, const TinkerContact *contact, double *by_point)
-{
-    const TinkerPlate *plate = &contacts->plates[contact->plate];
-    if (tinker_contacts_resists(contacts, contact)) return;
-    const int32_t tip = plate->gap->tip_of, on = plate->pair->point[0], by = plate->pair->point[1];
-    TinkerContactEntries entries;
-    tinker_contact_gap_entries(contacts, contact->plate, &entries);
-    const double *n = entries.normal, sign = tip == 0 ? 1 : -1;
-    const double fx = sign * (contact->normal * n[0] + contact->friction * n[1]);
-    const double fy = sign * (contact->normal * n[1] - contact->friction * n[0]);
-    add_force(by_point + 4 * on, contact->normal, contact->friction, fx, fy);
-    add_force(by_point + 4 * by, contact->normal, -contact->friction, -fx, -fy);
-}
-
-void tinker_contacts_sum_forces(const TinkerContacts *contacts, double *by_point)
-{
-    memset(by_point, 0, 4 * (gsize)contacts->model->points * sizeof(double));
-    for (guint i = 0; i < contacts->closed->len; i++) {
-        const TinkerContact *contact = tinker_contacts_closed(contacts, i);
-        const TinkerPlate *plate = &contacts->plates[contact->plate];
-        const double nx = plate->normal[0], ny = plate->normal[1];
-        if (plate->gap != NULL) {
-            add_gap_force(contacts, contact, by_point);
-            continue;
-        }
-        double fx = contact->normal * nx + contact->friction * ny, fy = contact->normal * ny - contact->friction * nx;
-        add_force(by_point + 4 * contact->body, contact->normal, contact->friction, fx, fy);
-        add_force(by_point + 4 * plate->point, contact->normal, -contact->friction, -fx, -fy);
-    }
-    for (guint i = 0; i < contacts->pressings->len; i++) {
-        const TinkerPressing *each = &g_array_index(contacts->pressings, TinkerPressing, i);
-        const double fx = each->press * each->normal[0] + each->friction * each->normal[1];
-        const double fy = each->press * each->normal[1] - each->friction * each->normal[0];
-        add_force(by_point + 4 * each->body, each->press, each->friction, fx, fy);
-        add_force(by_point + 4 * each->by, each->press, -each->friction, -fx, -fy);
-    }
-}
-
-int32_t tinker_contacts_row_body(const TinkerContacts *contacts, int32_t row)
-{
-    const TinkerConstraints *all = &contacts->model->constraints;
-    for (int32_t e = all->row_starts[row]; e < all->row_starts[row + 1]; e++)
-        if (all->points[e] < contacts->model->bodies) return all->points[e];
-    return -1;
-}
-
-void tinker_contacts_pull(TinkerContacts *contacts, int32_t row, double lambda, double *v)
-{
-    TinkerModel *model = contacts->model;
-    TinkerConstraints *all = &model->constraints;
-    memset(all->by_point, 0, 2 * (gsize)model->points * sizeof(double));
-    for (int32_t e = all->row_starts[row]; e < all->row_starts[row + 1]; e++) {
-        int32_t body = all->points[e];
-        if (body >= model->bodies) continue;
-        for (int k = 0; k < 2; k++) {
-            double change = lambda * all->own_jacobian[2 * e + k] * model->inverse_mass[body];
-            all->by_point[2 * body + k] += change;
-            v[2 * body + k] += change;
-        }
-    }
-    for (int32_t k = tinker_row_turns(all, row); k < tinker_row_turns(all, row + 1); k++) {
-        const TinkerTurnEntry *of = &all->turns[k];
-        double change = lambda * all->own_jacobian[2 * all->entries + k] * model->inverse_mass[all->points[of->entry]];
-        all->by_point[of->coordinate] += change;
-        v[of->coordinate] += change;
-    }
-    tinker_constraints_answer(contacts->model, v);
 }

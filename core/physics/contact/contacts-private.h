@@ -30,4 +30,17 @@ void tinker_contact_row_push(TinkerContacts *contacts, const TinkerContactRow *r
  */
 void tinker_contacts_solve_moves(TinkerContacts *contacts);
 
+/* What a row was listed with, and what resists in it. */
+static inline const TinkerContactEntries *tinker_contact_row_entries(const TinkerContacts *contacts,
+                                                                     const TinkerContactRow *row)
+{
+    return &g_array_index(contacts->entries, TinkerContactEntries, (guint)row->entries);
+}
+
+static inline const TinkerContactEntries *tinker_contact_row_resisting(const TinkerContacts *contacts,
+                                                                       const TinkerContactRow *row)
+{
+    return &g_array_index(contacts->entries, TinkerContactEntries, (guint)row->resisting_entries);
+}
+
 #endif
