@@ -8,9 +8,6 @@
 #include "physics/event/tolerances.h"
 #include "physics/model/model-data.h"
 
-/* Changes at one instant: so many do not end by themselves. */
-#define TINKER_MANY_AT_ONCE 8
-
 /* A contact that is closed, or closes now: of a body with a plate; or a constraint row that holds in one direction
  * only, and is taut or becomes so. A row is a contact without friction that opens as its g falls. */
 typedef struct {
@@ -160,7 +157,7 @@ gboolean tinker_change_decide(TinkerContactChange *change, GError **error);
 /* Whether so many changes came before this one at the same instant that they do not end by themselves. */
 static inline gboolean tinker_change_repeats(const TinkerContactChange *change)
 {
-    return change->run != NULL && change->run->at_once >= TINKER_MANY_AT_ONCE;
+    return change->run != NULL && tinker_contact_run_repeats(change->run);
 }
 
 /* What guides the body together with a touch; NULL for nothing. */

@@ -156,11 +156,14 @@ static TinkerContactResult ask_modes(TinkerContactChange *change, TinkerContactL
     return jam == TINKER_CONTACT_SOLVED ? result : TINKER_CONTACT_GAVE_UP;
 }
 
-/* A contact whose force has just come to 0 opens, unless something presses it again. */
+/* A contact whose force has just come to 0 opens, unless something presses it again; so does one that presses by
+ * nothing and is to slip, where that would only be the turn of another. */
 static gboolean lets_go(const TinkerContactChange *change, const TinkerTouch *at, double force, double noise)
 {
-    return tinker_change_is_trigger(change, at) && change->trigger.kind == TINKER_TRIGGER_NORMAL &&
-           force <= TINKER_LET_GO * noise;
+    const TinkerTriggerKind kind = change->trigger.kind;
+    const gboolean limit = kind == TINKER_TRIGGER_FORWARD || kind == TINKER_TRIGGER_BACKWARD;
+    if (!tinker_change_is_trigger(change, at) || force > TINKER_LET_GO * noise) return FALSE;
+    return kind == TINKER_TRIGGER_NORMAL || (limit && tinker_contact_run_goes_by_turns(change->run, &change->trigger));
 }
 
 static void note_modes(TinkerContactChange *change, const TinkerContactLaws *laws, double scale)

@@ -127,6 +127,15 @@ struct _TinkerContactRun {
     double quiet;    /* ... no plate was nearer to any body than this; 0 where one moves */
 };
 
+/* Changes at one instant: so many do not end by themselves. */
+#define TINKER_MANY_AT_ONCE 8
+
+/* Whether so many changes came at this instant. */
+static inline gboolean tinker_contact_run_repeats(const TinkerContactRun *contact_run)
+{
+    return contact_run->at_once >= TINKER_MANY_AT_ONCE;
+}
+
 /* Lists the pairs whose gap may close on the way of the bodies from q_from to q_to, which leads no farther than
  * `travel` (m) away from either. */
 void tinker_contact_run_find_near(TinkerContactRun *contact_run, const double *q_from, const double *q_to,

@@ -287,10 +287,12 @@ static double acceleration_scale(const TinkerContactRun *self, const TinkerTrigg
            (fabs(self->model->force[k]) + fabs(self->model->force[k + 1])) * self->model->inverse_mass[trigger->body];
 }
 
-/* What dense output makes of an acceleration that is 0, as a share of what acts. */
+/* What dense output makes of an acceleration that is 0, as a share of what acts. One that a redundant contact leaves at
+ * 0 for good, whatever its force, is held to that too, once the contact opens and closes again and again. */
 static double acceleration_noise(const TinkerContactRun *self)
 {
-    return self->remembers ? fmax(TINKER_FORCE_ROUNDING, self->run->choice.tolerance) : TINKER_FORCE_ROUNDING;
+    if (!self->remembers && !tinker_contact_run_repeats(self)) return TINKER_FORCE_ROUNDING;
+    return fmax(TINKER_FORCE_ROUNDING, self->run->choice.tolerance);
 }
 
 double tinker_trigger_level(const TinkerContactRun *self, const TinkerTrigger *trigger, double speed)
