@@ -96,6 +96,24 @@ static void test_stacks(void)
     physics_assert_near("middle", physics_last(run, 6), 11 * g, 1e-5);
 }
 
+/* What a pile at rest is off by is what its sweeps leave: no scale for an error, and not a tenth of any motion. */
+static void test_rests_surely(void)
+{
+    for (int count = 10; count <= 20; count += 10) {
+        g_autoptr(GString) blocks = g_string_new(FLOOR);
+        for (int i = 0; i < count; i++)
+            g_string_append_printf(blocks, ", {'type': 'box', 'width': 0.4, 'height': 0.4, 'position': [0, %.17g]}",
+                                   0.2 + 0.4 * i);
+        PhysicsOptions options = impulses(5, 0.01, "Box 9.x, Box 9.y");
+        options.estimate = TRUE;
+        g_autoptr(PhysicsRun) run = physics_run(&options, "%s", blocks->str);
+        physics_assert_near("x", physics_last(run, 0), 0, 1e-9);
+        physics_assert_near("y", physics_last(run, 1), 3.8, 1e-9);
+        physics_assert_near("estimate", run->summary->error_estimate, 0, 1e-8);
+        g_assert_cmpuint(run->summary->warnings->len, ==, 0);
+    }
+}
+
 /* Newton's law for all at once: what event mode has, too. */
 static void test_three_balls(void)
 {
@@ -308,6 +326,7 @@ static void add_tests(void)
     g_test_add_func("/physics/pile/slides", test_slides);
     g_test_add_func("/physics/pile/rolls", test_rolls);
     g_test_add_func("/physics/pile/stacks", test_stacks);
+    g_test_add_func("/physics/pile/rests-surely", test_rests_surely);
     g_test_add_func("/physics/pile/three-balls", test_three_balls);
     g_test_add_func("/physics/pile/masses", test_masses);
     g_test_add_func("/physics/pile/bounces", test_bounces);

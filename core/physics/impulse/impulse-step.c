@@ -7,6 +7,7 @@
 #include "numerics/methods/integrators.h"
 #include "physics/contact/contacts.h"
 #include "physics/impulse/impulse-private.h"
+#include "physics/impulse/tolerances.h"
 #include "physics/model/model-data.h"
 #include "physics/system/method-call.h"
 
@@ -239,6 +240,12 @@ double tinker_impulse_last_impact(const void *stepper)
 {
     const TinkerImpulses *self = stepper;
     return self->last_impact;
+}
+
+double tinker_impulse_speed_noise(const void *stepper)
+{
+    const TinkerImpulses *self = stepper;
+    return self->pile != NULL ? TINKER_PILE_RESTS * self->pile->largest : 0;
 }
 
 /* By a force at a place. */

@@ -34,6 +34,9 @@ const TinkerIntegrator *tinker_method_without_contact(const TinkerIntegrator *me
 double tinker_impulse_orientation(const void *stepper, int32_t body);
 double tinker_impulse_last_impact(const void *stepper);
 
+/* Of a stepper of it: speeds (m/s) up to here are what sweeps along a pile leave of those that contacts take. */
+double tinker_impulse_speed_noise(const void *stepper);
+
 /* Adds a warning (of char *) for bodies that overlap each other at the start, where there are too many for the contacts
  * to have told of them. */
 void tinker_impulse_tell_overlaps(const TinkerContacts *contacts, GPtrArray *warnings);

@@ -254,6 +254,7 @@ void tinker_pile_solve(TinkerPile *pile)
     const gsize bytes = (gsize)pile->shapes * sizeof(TinkerPileBody);
     if (pile->joints != NULL && pile->strikes) tinker_pile_joints_strike(pile);
     memcpy(pile->without, pile->bodies, bytes);
+    pile->largest = MAX(pile->largest, pile->scale);
     const gboolean solved = solve(pile, TINKER_PILE_SOLVED * pile->scale, pile->strikes ? ONE_OF_TWO : 1);
     pile->unsolved = solved ? 0 : pile->left;
     memcpy(pile->moves, pile->bodies, bytes);

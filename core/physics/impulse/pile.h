@@ -154,7 +154,8 @@ typedef struct {
     TinkerPileMark *marks; /* ... by point */
     int32_t touch_count, point_count;
     guint near_room;
-    double scale; /* m/s: what a point misses its least speed by without contact, at the most */
+    double scale;   /* m/s: what a point misses its least speed by without contact, at the most */
+    double largest; /* m/s: the largest scale so far */
     gboolean strikes, overlaps;
     double left;     /* m/s: what the last sweep of the last solve changed speeds by, where that was too much */
     double unsolved; /* m/s: of the step in this way; 0: its impulses were solved for */

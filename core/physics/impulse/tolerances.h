@@ -24,6 +24,9 @@
 #define TINKER_PILE_EVEN 1e-4
 /* No unit; of the speeds that contacts take: what a sweep changes less by is rounding. Held by: -. */
 #define TINKER_PILE_SOLVED 1e-11
+/* No unit; of the speeds that contacts take: what rests has up to this, since sweeps leave something step by step.
+ * Held by: test-pile. */
+#define TINKER_PILE_RESTS 1e-7
 /* No unit; of the energies that impulses exchange: what is given beyond that is rounding, or, by the second, of sweeps
  * that were cut short. Held by: -. */
 #define TINKER_PILE_NO_MORE        1e-9

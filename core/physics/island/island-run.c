@@ -10,6 +10,7 @@
 #include "numerics/methods/integrators.h"
 #include "physics/constraint/constraints.h"
 #include "physics/contact/contacts.h"
+#include "physics/impulse/impulse.h"
 #include "physics/island/stability-watch.h"
 #include "physics/line/linear-form.h"
 #include "physics/model/model.h"
@@ -92,7 +93,9 @@ void tinker_island_run_clear(TinkerIslandRun *run)
 double tinker_island_run_speed_noise(const TinkerIslandRun *run, double extent)
 {
     if (!(run->state.t > 0)) return 0;
-    return ROUNDING * extent * (double)run->summary.steps / run->state.t;
+    const double rounding = ROUNDING * extent * (double)run->summary.steps / run->state.t;
+    if (!tinker_method_solves_contact(run->choice.method)) return rounding;
+    return fmax(rounding, tinker_impulse_speed_noise(run->stepper));
 }
 
 /* The method of flights and that of contacts change places; the one that comes forward may have no stepper yet. */
