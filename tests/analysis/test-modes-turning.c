@@ -36,6 +36,44 @@ static void test_bar_on_springs(void)
     g_assert_cmpuint(modes_count(a, TINKER_MODE_RIGID), ==, 1);
 }
 
+/* A bar on a pin in its middle, with a stretched spring at its end, is brought back by T r (1 + r / L), whatever else
+ * acts: as the arm turns the pull's moment changes once, beside a block that is made linear by differences, too. */
+static void test_turned_arm(void)
+{
+    static const char *const beside[] = {
+        "", ", {'type': 'torsional-damper', 'damping': 0.2, 'ends': ['Support 0', 'Bar 0']}",
+        ", {'type': 'wind', 'drag_quadratic': 0.3}",
+        ", {'type': 'law-force', 'force_x': '-0.1*vx', 'ends': ['Bar 0']}"};
+    for (gsize i = 0; i < G_N_ELEMENTS(beside); i++) {
+        g_autofree char *blocks = g_strconcat(
+            "{'type': 'support', 'solid': false}, {'type': 'support', 'position': [2, 0], 'solid': false},"
+            "{'type': 'bar', 'length': 1, 'orientation': 0.4},"
+            "{'type': 'pin', 'ends': ['Support 0', 'Bar 0']},"
+            "{'type': 'spring', 'stiffness': 10, 'rest_length': 1, 'ends': [{'block': 'Bar 0', 'at': [0.5, 0]}, "
+            "'Support 1']}",
+            beside[i], NULL);
+        g_autoptr(ModesFixture) a = modes_about_rest(blocks);
+        modes_assert_frequencies(a, (const double[]){sqrt(5 * 0.5 * (1 + 0.5 / 1.5) * 12)}, 1);
+        modes_assert_relative("decay", modes_at(a, 0)->decay, i == 1 ? 0.1 * 12 : 0, 1e-9);
+    }
+}
+
+/* A mass at the end of a rod on which nothing pulls turns freely about the other: rounding of the search for the rest
+ * holds nothing. */
+static void test_idle_rod(void)
+{
+    g_autoptr(ModesFixture) a = modes_about_rest(
+        "{'type': 'support', 'position': [-1.8380624872768896, 0.9309297727238344], 'solid': false},"
+        "{'type': 'box', 'position': [1.6807485283952834, 0.8502893120890106], 'orientation': -2.1615252901999265},"
+        "{'type': 'mass', 'position': [1.8872462977319824, 0.2062791440126516]},"
+        "{'type': 'rod', 'ends': ['Mass 0', 'Box 0']},"
+        "{'type': 'spring', 'stiffness': 171.78791080449355, 'rest_length': 0.8354082727169947,"
+        " 'ends': [{'block': 'Box 0', 'at': [-0.1279398069189268, -0.329518226291715]}, 'Support 0']}");
+    g_assert_true(a->analysis->about_rest);
+    g_assert_cmpuint(modes_count(a, TINKER_MODE_RIGID), ==, 3);
+    g_assert_cmpuint(modes_count(a, TINKER_MODE_OSCILLATION), ==, 1);
+}
+
 static void test_straight_bar(void)
 {
     g_autoptr(ModesFixture) a = modes_about_rest("{'type': 'gravity', 'acceleration': 9.81},"
@@ -100,6 +138,8 @@ static void add_tests(void)
     g_test_add_func("/modes/bar-on-springs", test_bar_on_springs);
     g_test_add_func("/modes/free-shaft", test_free_shaft);
     g_test_add_func("/modes/driven-gears", test_driven_gears);
+    g_test_add_func("/modes/turned-arm", test_turned_arm);
+    g_test_add_func("/modes/idle-rod", test_idle_rod);
     g_test_add_func("/modes/straight-bar", test_straight_bar);
     g_test_add_func("/modes/too-many", test_too_many);
 }

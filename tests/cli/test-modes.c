@@ -33,6 +33,23 @@ static void test_table(CliFixture *fixture, gconstpointer data)
     g_assert_null(strstr(one->output, "oscillation"));
 }
 
+/* Places are those of bodies, with the angle of one that turns: a bar of 1 m hangs from its end. */
+static void test_places(CliFixture *fixture, gconstpointer data)
+{
+    cli_write(fixture, "bar.json",
+              "{\"tinker\": 1, \"blocks\": [{\"type\": \"gravity\"}, {\"type\": \"support\", \"solid\": false}, "
+              "{\"type\": \"bar\", \"position\": [0.5, 0]}, {\"type\": \"pin\", \"ends\": [\"Support 0\", "
+              "{\"block\": \"Bar 0\", \"at\": [-0.5, 0]}]}]}");
+    g_autoptr(TestProgram) program = cli_run_well(fixture, "modes @bar.json --json -");
+    cJSON *root = cJSON_Parse(program->output);
+    const cJSON *places = cJSON_GetObjectItem(root, "places"), *place = cJSON_GetArrayItem(places, 0);
+    g_assert_cmpint(cJSON_GetArraySize(places), ==, 1);
+    g_assert_cmpstr(cJSON_GetObjectItem(place, "block")->valuestring, ==, "Bar 0");
+    g_assert_cmpfloat(fabs(cJSON_GetObjectItem(place, "y")->valuedouble + 0.5), <, 1e-12);
+    g_assert_cmpfloat(fabs(cJSON_GetObjectItem(place, "angle")->valuedouble + G_PI / 2), <, 1e-9);
+    cJSON_Delete(root);
+}
+
 static void test_json(CliFixture *fixture, gconstpointer data)
 {
     static const char *const keys[] = {"state",
@@ -268,6 +285,7 @@ int main(int argc, char **argv)
     cli_test_add("/modes/response-without-quantity", test_response_without_quantity);
     cli_test_add("/cli/modes/table", test_table);
     cli_test_add("/cli/modes/json", test_json);
+    cli_test_add("/cli/modes/places", test_places);
     cli_test_add("/cli/modes/assumed", test_assumed);
     cli_test_add("/cli/modes/pictures", test_pictures);
     cli_test_add("/cli/modes/picture-of-slack-cord", test_picture_of_slack_cord);

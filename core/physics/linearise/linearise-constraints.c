@@ -19,21 +19,27 @@ static void add_row(TinkerLinearisation *linear, const TinkerConstraints *all, i
         tinker_linear_add_entry(linear, linear->rows, entries[k].coordinate, entries[k].value);
 }
 
-/* As an arm r turns, the torque of a force F there changes by -r . F an angle. */
+/* As an arm r turns, the torque of a force F there changes by -r . F an angle. A force that is rounding holds nothing.
+ */
 static void add_turned_arm(TinkerLinearisation *linear, const TinkerModel *model, const TinkerAttachment *at,
                            const double force[2])
 {
     const int32_t turn = tinker_model_turn_of(model, at->body);
+    if (hypot(force[0], force[1]) <= linear->force_noise) return;
     tinker_linear_begin_term(linear, linear->stiffness, at->arm[0] * force[0] + at->arm[1] * force[1]);
     tinker_linear_add_entry(linear, linear->stiffness, turn, 1 / model->turns[model->turn_of[at->body]].gyration);
 }
 
-void tinker_linear_add_turned_arms(TinkerLinearisation *linear, const TinkerModel *model)
+void tinker_linear_add_turned_forces(TinkerLinearisation *linear, const TinkerModel *model)
 {
-    const TinkerConstraints *all = &model->constraints;
     for (int32_t point = model->first_attachment; point < model->first_support; point++)
         add_turned_arm(linear, model, tinker_model_attachment(model, point),
                        tinker_model_attachment(model, point)->force);
+}
+
+void tinker_linear_add_turned_rows(TinkerLinearisation *linear, const TinkerModel *model)
+{
+    const TinkerConstraints *all = &model->constraints;
     for (int32_t k = 0; k < all->turn_count; k++) {
         const double *j = all->jacobian + 2 * all->turns[k].entry, lambda = all->lambda[all->turns[k].row];
         add_turned_arm(linear, model, tinker_model_attachment(model, all->ends_at[all->turns[k].entry]),
@@ -107,7 +113,8 @@ static TinkerStatus differentiate(Difference *d, int32_t slot, int axis)
     return TINKER_OK;
 }
 
-/* The second derivative of one row, as parts of rank one with the weight -lambda. */
+/* The second derivative of one row, as parts of rank one with the weight -lambda. What nothing pulls at holds nothing:
+ * a pull that is rounding, as of a rod on which nothing hangs, counts as none. */
 static gboolean add_hessian(TinkerLinearisation *linear, const TinkerModel *model, int32_t row, double *hessian)
 {
     const TinkerConstraints *all = &model->constraints;
@@ -119,12 +126,13 @@ static gboolean add_hessian(TinkerLinearisation *linear, const TinkerModel *mode
         for (int32_t k = 0; k < i; k++)
             hessian[i + n * k] = hessian[k + n * i] = 0.5 * (hessian[i + n * k] + hessian[k + n * i]);
     }
+    if (fabs(all->lambda[row]) <= linear->force_noise) return TRUE;
     if (!tinker_symmetric_eigen(n, hessian, n, vectors)) return FALSE;
     for (int32_t i = 0; i < n; i++)
         largest = fmax(largest, fabs(hessian[i + n * i]));
     for (int32_t i = 0; i < n; i++) {
         double value = hessian[i + n * i];
-        if (fabs(value) <= TINKER_HESSIAN_NOISE * largest || all->lambda[row] == 0) continue;
+        if (fabs(value) <= TINKER_HESSIAN_NOISE * largest) continue;
         tinker_linear_begin_term(linear, linear->stiffness, -all->lambda[row] * value);
         for (int32_t k = 0; k < n; k += 2)
             tinker_linear_add_point(linear, model, linear->stiffness, all->ends_at[first + k / 2], vectors[k + n * i],

@@ -8,7 +8,8 @@
 #include "physics/model/model-data.h"
 #include "physics/system/jacobian.h"
 
-/* Takes the lines' part off a dense matrix; what is left within rounding of what was taken is nothing. */
+/* Takes the part of lines and turned arms off a dense matrix; what is left within rounding of what was taken is
+ * nothing. */
 static void take_terms(const TinkerLinearisation *linear, const GArray *terms, double *matrix)
 {
     gsize n = (gsize)linear->size;

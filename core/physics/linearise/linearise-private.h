@@ -12,7 +12,8 @@ void tinker_linear_add_entry(TinkerLinearisation *linear, GArray *terms, int32_t
 void tinker_linear_add_point(TinkerLinearisation *linear, const TinkerModel *model, GArray *terms, int32_t point,
                              double x, double y);
 
-/* Force elements and fields, as dense matrices: what the jacobian has more than the lines, which are there already;
+/* Force elements and fields, as dense matrices: what the jacobian has more than lines and turned arms, which are there
+ * already;
  * where a field couples bodies, by differences of its own. `still` is a velocity of 0. */
 TinkerStatus tinker_linear_add_others(TinkerLinearisation *linear, TinkerModel *model, const double *q,
                                       const double *still);
@@ -24,7 +25,9 @@ void tinker_linear_add_straight_rows(TinkerLinearisation *linear, const TinkerCo
  * evaluated last. */
 TinkerStatus tinker_linear_add_constraints(TinkerLinearisation *linear, TinkerModel *model,
                                            TinkerConstraintBatch *part);
-/* What forces on places of bodies that turn do as their arms turn, those of constraints evaluated last among them. */
-void tinker_linear_add_turned_arms(TinkerLinearisation *linear, const TinkerModel *model);
+/* What forces on places of bodies that turn do as their arms turn: those applied, and those of constraints, evaluated
+ * last. */
+void tinker_linear_add_turned_forces(TinkerLinearisation *linear, const TinkerModel *model);
+void tinker_linear_add_turned_rows(TinkerLinearisation *linear, const TinkerModel *model);
 
 #endif

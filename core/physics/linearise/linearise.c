@@ -181,6 +181,14 @@ static void measure_extent(TinkerLinearisation *linear, const TinkerModel *model
     if (!(linear->extent > 0)) linear->extent = 1;
 }
 
+/* Before force elements and fields, whose jacobian has them, too. */
+static TinkerStatus add_turned_forces(TinkerLinearisation *linear, TinkerModel *model)
+{
+    const TinkerStatus status = tinker_model_applied(model, linear->force, FALSE);
+    if (status == TINKER_OK) tinker_linear_add_turned_forces(linear, model);
+    return status;
+}
+
 /* Forces at rest there, with those of the constraints; leaves lambda and the rows. */
 static TinkerStatus add_forces(TinkerLinearisation *linear, TinkerModel *model)
 {
@@ -225,13 +233,14 @@ TinkerLinearisation *tinker_linearise(TinkerModel *model, const double *q, GErro
     tinker_model_set_state(model, q, still);
     measure_extent(linear, model);
     TinkerStatus status = add_lines(linear, model);
+    if (status == TINKER_OK && model->turning > 0) status = add_turned_forces(linear, model);
     if (status == TINKER_OK) status = tinker_linear_add_others(linear, model, q, still);
     if (status == TINKER_OK) status = add_forces(linear, model);
     for (guint i = 0; status == TINKER_OK && i < model->constraints.batches->len; i++)
         status = tinker_linear_add_constraints(linear, model,
                                                &g_array_index(model->constraints.batches, TinkerConstraintBatch, i));
     if (status == TINKER_OK) tinker_linear_add_straight_rows(linear, &model->constraints);
-    if (status == TINKER_OK && model->turning > 0) tinker_linear_add_turned_arms(linear, model);
+    if (status == TINKER_OK && model->turning > 0) tinker_linear_add_turned_rows(linear, model);
     if (status == TINKER_OK) add_contacts(linear, model);
     linear->rubbing_pins = model->contacts != NULL ? model->contacts->pin_count : 0;
     if (status == TINKER_OK) return g_steal_pointer(&linear);

@@ -34,11 +34,14 @@ static void add_state(cJSON *root, const TinkerModeReport *report)
     add_number(root, "degrees_of_freedom", analysis->basis->count);
     cJSON *places = cJSON_AddArrayToObject(root, "places");
     tinker_model_origin(analysis->model, origin);
-    for (int32_t body = 0; body < analysis->basis->size / 2; body++) {
+    for (int32_t body = 0; body < tinker_model_sizes(analysis->model).bodies; body++) {
         cJSON *place = cJSON_CreateObject();
         cJSON_AddStringToObject(place, "block", name_of_body(report, body));
         add_number(place, "x", origin[0] + analysis->q[2 * body]);
         add_number(place, "y", origin[1] + analysis->q[2 * body + 1]);
+        double radius;
+        const int32_t turn = tinker_model_body_turn(analysis->model, body, &radius);
+        if (turn >= 0) add_number(place, "angle", analysis->q[turn] / radius);
         cJSON_AddItemToArray(places, place);
     }
 }
