@@ -56,6 +56,33 @@ static const double ratios[] = {0.01, 0.3, 0.9, 0.99, 1, 1.01, 1.5, 7, 100};
     "{'type': 'spring', 'ends': ['Support 0', 'Mass 0'], 'stiffness': 50},"                                            \
     "{'type': 'damper', 'ends': ['Support 0', 'Mass 0'], 'damping': 4}"
 
+/* What has no linear form of its own. A wheel on a torsional spring and damper: 1 / (k - I omega^2 + i c omega); the
+ * reaction acts on a second wheel; a motor that turns with the wheel has the arm r sin(angle between them). */
+static void test_turning(void)
+{
+    const char *blocks =
+        "{'type': 'support', 'solid': false}, {'type': 'support', 'position': [3, 0], 'solid': false},"
+        "{'type': 'disc', 'inertia': 0.5, 'orientation': 0.3, 'solid': false},"
+        "{'type': 'disc', 'inertia': 2, 'position': [3, 0], 'solid': false},"
+        "{'type': 'pin', 'ends': ['Support 0', 'Disc 0']}, {'type': 'pin', 'ends': ['Support 1', 'Disc 1']},"
+        "{'type': 'torsional-spring', 'stiffness': 12.5, 'ends': ['Support 0', 'Disc 0']},"
+        "{'type': 'torsional-damper', 'damping': 0.4, 'ends': ['Disc 0', 'Support 0']},"
+        "{'type': 'torsional-spring', 'stiffness': 50, 'ends': ['Support 1', 'Disc 1']},"
+        "{'type': 'torque', 'ends': ['Disc 0', 'Disc 1'], 'amplitude': 3, 'frequency': 1},"
+        "{'type': 'motor', 'ends': [{'block': 'Disc 0', 'at': [0.2, 0]}], 'follows': true, 'angle': 0.7}";
+    g_autoptr(Analysis) turns = analyse("Torque 0", "Disc 0.angle", blocks);
+    g_autoptr(Analysis) other = analyse("Torque 0", "Disc 1.angle", blocks);
+    g_autoptr(Analysis) pushed = analyse("Motor 0", "Disc 0.angle", blocks);
+    g_assert_cmpstr(turns->input.unit, ==, "N m");
+    for (gsize i = 0; i < G_N_ELEMENTS(ratios); i++) {
+        double omega = 5 * ratios[i];
+        double complex truth = 1 / CMPLX(12.5 - 0.5 * omega * omega, 0.4 * omega);
+        assert_response(turns, omega, truth, 1e-9);
+        assert_response(pushed, omega, 0.2 * sin(0.7) * truth, 1e-9);
+        if (ratios[i] != 1) assert_response(other, omega, -1 / CMPLX(50 - 2 * omega * omega, 0), 1e-9);
+    }
+}
+
 /* 1 / (k - m omega^2 + i c omega); its velocity is i omega of that. */
 static void test_force(void)
 {
@@ -217,6 +244,7 @@ static void test_refusals(void)
 static void add_tests(void)
 {
     g_test_add_func("/response/force", test_force);
+    g_test_add_func("/response/turning", test_turning);
     g_test_add_func("/response/transmissibility", test_transmissibility);
     g_test_add_func("/response/peak", test_peak);
     g_test_add_func("/response/undamped-peak", test_undamped_peak);

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "physics/force/forces.h"
 #include "physics/linearise/tolerances.h"
 #include "physics/model/model-data.h"
 #include "physics/record/columns.h"
@@ -47,6 +48,50 @@ static gboolean find_force(const TinkerModel *model, TinkerLinearInput *input)
     return found;
 }
 
+/* The value of a block's waveform, which its plugin is asked with; NULL where it has none. Borrowed. */
+static double *asked_value(const TinkerModel *model, TinkerBlockId block, const char **unit)
+{
+    for (guint i = 0; i < model->waveform_batches->len; i++) {
+        const TinkerBlockBatch *batch = g_ptr_array_index(model->waveform_batches, i);
+        const TinkerBlockClass *block_class = batch->block_class;
+        for (int32_t row = 0; row < batch->count; row++)
+            for (int32_t p = 0; p < block_class->property_count && batch->ids[row] == block; p++) {
+                if (block_class->properties[p].kind != TINKER_KIND_WAVEFORM) continue;
+                *unit = unit_of_column(block_class, block_class->first_columns[p]);
+                return &batch->columns[block_class->first_columns[p]][row];
+            }
+    }
+    return NULL;
+}
+
+/* Of a force without a linear form of its own, as a torque or one that turns with its body: what the forces at these
+ * places change by with the waveform. */
+static gboolean find_asked(TinkerModel *model, TinkerLinearInput *input)
+{
+    const gsize n = (gsize)MAX(model->coordinates, 1);
+    const char *unit;
+    double *value = asked_value(model, input->block, &unit), step = 0;
+    if (value == NULL) return FALSE;
+    const double kept = *value;
+    g_autofree double *with = g_new0(double, n), *without = g_new0(double, n);
+    TinkerStatus status = tinker_model_applied(model, with, FALSE);
+    for (int32_t i = 0; i < model->coordinates; i++)
+        step = fmax(step, fabs(with[i] * model->coordinate_mass[i]));
+    if (!(step > 0)) step = 1;
+    *value = kept + step;
+    if (status == TINKER_OK) status = tinker_model_applied(model, with, FALSE);
+    *value = kept - step;
+    if (status == TINKER_OK) status = tinker_model_applied(model, without, FALSE);
+    *value = kept;
+    gboolean found = FALSE;
+    for (int32_t i = 0; i < model->coordinates && status == TINKER_OK; i++) {
+        input->force[i] += model->coordinate_mass[i] * (with[i] - without[i]) / (2 * step);
+        found |= with[i] != without[i];
+    }
+    if (found) input->unit = unit;
+    return found;
+}
+
 static void move_support(const TinkerModel *model, TinkerLinearInput *input, TinkerBlockId support,
                          const double *direction)
 {
@@ -84,22 +129,27 @@ static gboolean find_motion(const TinkerModel *model, TinkerLinearInput *input)
     return FALSE;
 }
 
+static gboolean find_input(TinkerModel *model, TinkerLinearInput *input)
+{
+    return find_force(model, input) || find_asked(model, input) || find_motion(model, input);
+}
+
 /* The names of all blocks that could be the input. (transfer full) */
-static char *list_inputs(const TinkerModel *model)
+static char *list_inputs(TinkerModel *model)
 {
     g_autoptr(GString) names = g_string_new(NULL);
     g_autofree double *room = g_new0(double, 4 * (gsize)MAX(model->points, 1));
     for (int32_t place = 0; place < tinker_scene_block_count(model->scene); place++) {
         TinkerBlockId block = tinker_scene_block_at(model->scene, place);
         TinkerLinearInput trial = {.block = block, .force = room, .place = room + 2 * (gsize)model->points};
-        if (!find_force(model, &trial) && !find_motion(model, &trial)) continue;
+        if (!find_input(model, &trial)) continue;
         g_string_append_printf(names, "%s\"%s\"", names->len > 0 ? ", " : "",
                                tinker_scene_block_name(model->scene, block));
     }
     return g_string_free(g_steal_pointer(&names), FALSE);
 }
 
-static gboolean refuse_input(const TinkerModel *model, const char *name, const char *what, GError **error)
+static gboolean refuse_input(TinkerModel *model, const char *name, const char *what, GError **error)
 {
     g_autofree char *inputs = list_inputs(model);
     g_set_error(error, TINKER_SCENE_ERROR, TINKER_SCENE_ERROR_NAME, "\"%s\" %s (%s%s)", name, what,
@@ -115,7 +165,7 @@ gboolean tinker_linear_input_find(TinkerModel *model, const char *name, TinkerLi
     if (input->block == TINKER_NO_BLOCK) return refuse_input(model, name, "is no block of the scene", error);
     input->force = g_new0(double, coordinates);
     input->place = g_new0(double, coordinates);
-    if (find_force(model, input) || find_motion(model, input)) return TRUE;
+    if (find_input(model, input)) return TRUE;
     return refuse_input(model, name, "is no force or motion in proportion to a waveform", error);
 }
 
@@ -186,7 +236,8 @@ static double *driving_value(TinkerModel *model, const TinkerLinearInput *input)
         if (driven->batch->ids[driven->row] != input->block) continue;
         return &driven->batch->columns[column_of(driven->batch, driven->row, driven->value)][driven->row];
     }
-    return NULL;
+    const char *unit;
+    return input->is_motion ? NULL : asked_value(model, input->block, &unit);
 }
 
 static gboolean has_motion_of_its_own(const TinkerLinearOutput *output, int32_t size)

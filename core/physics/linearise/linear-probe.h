@@ -7,7 +7,8 @@
 #include "physics/record/columns.h"
 
 /* A waveform that a force is proportional to, or the displacement of a support. Which one and along which direction,
- * the block's own linear form says. */
+ * the block's own linear form says; of a force without one, as a torque, what it does at the places that the model was
+ * made linear about. */
 typedef struct {
     TinkerBlockId block;
     gboolean is_motion;
