@@ -147,13 +147,18 @@ static void spline_driven(double t, const double *y, double *rate, const void *d
     rate[1] = -25 * (y[0] - spline(data, t));
 }
 
-static void test_spline(void)
+static void write_knots(void)
 {
     GString *text = g_string_new("# time, place\n");
     for (int i = 0; i < KNOTS; i++)
         g_string_append_printf(text, "%g,%g\n", knot_time[i], knot_value[i]);
     write_table(text->str);
     g_string_free(text, TRUE);
+}
+
+static void test_spline(void)
+{
+    write_knots();
     g_autoptr(PhysicsRun) run = physics_run(
         &(PhysicsOptions){
             .duration = 2.4, .interval = 0.1, .columns = "Mass 0.x, Mass 0.vx, Support 0.x", .path = scene_path},
@@ -171,12 +176,46 @@ static void test_spline(void)
     }
 }
 
+/* A bar that a drive turns by the same table, from within its first piece: a corner at a row no bar could follow. The
+ * torque is I times the second derivative, which is linear between the rows. The table ends with the run, where the bar
+ * need not follow the jump of its rate any more; a tenth of a second later it would have to. */
+static void test_drive(void)
+{
+    write_knots();
+    double m[KNOTS];
+    second_derivatives(m);
+    g_autoptr(PhysicsRun) run = physics_run(
+        &(PhysicsOptions){
+            .duration = 2.4, .interval = 0.1, .columns = "Bar 0.angle, Bar 0.x, Drive 0.torque", .path = scene_path},
+        "{'type': 'support', 'solid': false}, {'type': 'bar', 'position': [0.5, 0], 'velocity': [0, 0.25]},"
+        "{'type': 'pin', 'ends': ['Support 0', {'block': 'Bar 0', 'at': [-0.5, 0]}]},"
+        "{'type': 'drive', 'ends': ['Bar 0', 'Support 0'], 'speed': 0,"
+        " 'waveform': {'table': 'table.csv', 'column': 1}}");
+    for (gsize i = 1; i < physics_samples(run); i++) {
+        const double t = physics_time(run, i), angle = spline(m, t);
+        int k = 0;
+        while (k < KNOTS - 2 && t > knot_time[k + 1])
+            k++;
+        const double share = (t - knot_time[k]) / (knot_time[k + 1] - knot_time[k]);
+        physics_assert_near("angle", physics_value(run, i, 0), angle, 1e-12);
+        physics_assert_near("x", physics_value(run, i, 1), 0.5 * cos(angle), 1e-12);
+        physics_assert_near("torque", physics_value(run, i, 2), (m[k] + share * (m[k + 1] - m[k])) / 3, 1e-10);
+    }
+    g_autoptr(PhysicsRun) longer = physics_try(
+        &(PhysicsOptions){.duration = 2.5, .path = scene_path},
+        "{'type': 'support', 'solid': false}, {'type': 'bar'}, {'type': 'pin', 'ends': ['Support 0', 'Bar 0']},"
+        "{'type': 'drive', 'ends': ['Bar 0', 'Support 0'], 'speed': 0,"
+        " 'waveform': {'table': 'table.csv', 'column': 1}}");
+    physics_assert_refused(longer, TINKER_MODEL_ERROR_SCENE, "Drive 0", "2.4 s", NULL);
+}
+
 static void add_tests(void)
 {
     g_test_add_func("/physics/tables/force", test_force);
     g_test_add_func("/physics/tables/acceleration", test_acceleration);
     g_test_add_func("/physics/tables/shaken-oscillator", test_shaken_oscillator);
     g_test_add_func("/physics/tables/spline", test_spline);
+    g_test_add_func("/physics/tables/drive", test_drive);
 }
 
 int main(int argc, char **argv)

@@ -16,6 +16,7 @@
 #include "physics/impulse/impulse.h"
 #include "physics/island/island-run.h"
 #include "physics/island/stability-watch.h"
+#include "physics/model/breaks.h"
 #include "physics/model/model.h"
 #include "physics/plan/islands.h"
 #include "physics/plan/plan.h"
@@ -210,11 +211,28 @@ gboolean tinker_island_run_step(TinkerIslandRun *run, double end, GError **error
     return tinker_island_run_watch(run, &report, error);
 }
 
+/* What joints cannot follow they need not at the end of a run, so a sample there is that before the jump. A run that
+ * goes on from here comes to the same break, and is refused then. */
+static gboolean pass_break(TinkerIslandRun *run, double end, GError **error)
+{
+    GError *refused = NULL;
+    if (tinker_island_run_enter_piece(run, horizon_of(run, end), &refused)) return TRUE;
+    if (!g_error_matches(refused, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_SCENE)) {
+        g_propagate_error(error, refused);
+        return FALSE;
+    }
+    g_error_free(refused);
+    tinker_model_enter_piece(run->model, run->state.t * (1 - TINKER_SAME_INSTANT));
+    run->piece_end = run->state.t;
+    run->ends_on_break = TRUE;
+    return TRUE;
+}
+
 gboolean tinker_island_run_pass_instant(TinkerIslandRun *run, double end, GError **error)
 {
     double t = run->state.t;
     tinker_constraints_end_look(run->model);
     if (!pass_event(run, error)) return FALSE;
     if (t < run->piece_end || !run->ends_on_break) return TRUE;
-    return tinker_island_run_enter_piece(run, horizon_of(run, end), error);
+    return pass_break(run, end, error);
 }

@@ -17,7 +17,7 @@ void tinker_island_run_free(TinkerIslandRun *run);
 gboolean tinker_island_run_step(TinkerIslandRun *run, double end, GError **error);
 
 /* Where the state stands on a break enters the next piece, and where on an event of contact passes it: at the instant
- * of a jump the state after it counts. */
+ * of a jump the state after it counts, but where joints cannot follow it: that is the state before. */
 gboolean tinker_island_run_pass_instant(TinkerIslandRun *run, double end, GError **error);
 
 /* Enters the piece that begins at the state's time: waveforms switch, a jump of a support is booked, and one that a

@@ -26,10 +26,12 @@ static double column_or(const TinkerBlockBatch *batch, const char *property_id, 
     return batch->columns[batch->block_class->first_columns[property]][row];
 }
 
-/* A displacement is differentiated twice by whoever rides on it, so its value tables are read as C2 splines. */
+/* A displacement is differentiated twice by whoever rides on it, and by a constraint that prescribes it: its value
+ * tables are read as C2 splines. */
 static gboolean drives_a_place(const TinkerBlockClass *block_class)
 {
-    return block_class->physics != NULL && block_class->physics->motion != NULL;
+    const TinkerPhysics *physics = block_class->physics;
+    return physics != NULL && (physics->motion != NULL || physics->constraint != NULL);
 }
 
 static void add_evaluators(TinkerBlockBatch *batch, TinkerScene *scene, int32_t property)
