@@ -254,11 +254,13 @@ static int32_t choose_points(Part *part, const TinkerIslandRun *run, double *tim
     return points;
 }
 
+/* On the constraints, as samples are: between its ends a step leaves them by far more than it is off along them, most
+ * of all where they leave nothing free. */
 static void write_states(const TinkerStepNews *news, TinkerIslandRun *run, double *states)
 {
     const gsize n = (gsize)run->model->coordinates;
     for (int32_t k = 0; k < news->points; k++, states += 2 * n) {
-        if (tinker_island_run_unprojected_at(run, news->times[k], states, states + n) == TINKER_OK) continue;
+        if (tinker_island_run_state_at(run, news->times[k], states, states + n) == TINKER_OK) continue;
         for (gsize i = 0; i < 2 * n; i++)
             states[i] = NAN;
     }
