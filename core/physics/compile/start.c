@@ -64,14 +64,19 @@ static void refuse_misfit(const TinkerModel *model, int32_t row, const char *nam
                 fabs(all->g[row]), unit, TINKER_START_MISS * all->scales[row], unit, hint);
 }
 
-static void refuse_joint(const TinkerModel *model, int32_t row, const char *name, GError **error)
+static void refuse_joint(const TinkerModel *model, const TinkerConstraintBatch *part, int32_t row, const char *name,
+                         GError **error)
 {
     const TinkerConstraints *all = &model->constraints;
     const TinkerPoint *a = &model->point[all->ends_at[all->row_starts[row]]];
     const TinkerPoint *b = &model->point[all->ends_at[all->row_starts[row] + 1]];
     g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_SCENE,
-                _("%s: its ends do not fit together at t = 0: they are at (%.10g, %.10g) and (%.10g, %.10g) m (move "
-                  "one to the other; at most %.0e of the scene's extent, %.3g m, is corrected)"),
+                part->coincident
+                    ? _("%s: its ends do not fit together at t = 0: they are at (%.10g, %.10g) and (%.10g, %.10g) m "
+                        "(move one to the other; at most %.0e of the scene's extent, %.3g m, is corrected)")
+                    : _("%s: its ends do not fit together at t = 0: they are at (%.10g, %.10g) and (%.10g, %.10g) m "
+                        "(move one onto the line through the other, or turn that; at most %.0e of the scene's extent, "
+                        "%.3g m, is corrected)"),
                 name, a->x + model->origin[0], a->y + model->origin[1], b->x + model->origin[0],
                 b->y + model->origin[1], TINKER_START_MISS, TINKER_START_MISS * all->scales[row]);
 }
@@ -84,7 +89,7 @@ static gboolean refuse_row(TinkerModel *model, const TinkerConstraintBatch *part
     int32_t column = path_column(batch->block_class, ends);
     const char *name = tinker_scene_block_name(model->scene, batch->ids[instance]);
     if (part->constraint->joint != 0) {
-        refuse_joint(model, row, name, error);
+        refuse_joint(model, part, row, name, error);
     } else if (column >= 0) {
         g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_SCENE,
                     ends == 2 ? _("%s: its length is %.10g m, but its ends are %.10g m apart at t = 0 (move an end, "
@@ -175,8 +180,8 @@ static double largest_demand(const TinkerModel *model, const double *by_point, c
     return most;
 }
 
-/* The blocks of the rows that the residual is large of, joined by ", ". (transfer full) */
-static char *names_of_residual(const TinkerModel *model)
+/* The blocks of the rows that the residual is large of, joined by ", ", and how many they are. (transfer full) */
+static char *names_of_residual(const TinkerModel *model, int *count)
 {
     const TinkerConstraints *all = &model->constraints;
     double worst = 0;
@@ -184,8 +189,10 @@ static char *names_of_residual(const TinkerModel *model)
         worst = MAX(worst, fabs(all->residual[row]));
     g_autoptr(GString) names = g_string_new(NULL);
     TinkerBlockId last = TINKER_NO_BLOCK;
+    *count = 0;
     for (int32_t row = 0; row < all->rows; row++) {
         if (fabs(all->residual[row]) < 0.1 * worst || all->blocks[row] == last) continue;
+        ++*count;
         last = all->blocks[row];
         g_string_append_printf(names, "%s%s", names->len > 0 ? ", " : "", tinker_scene_block_name(model->scene, last));
     }
@@ -200,7 +207,8 @@ static gboolean refuse_contradiction(TinkerModel *model, const double *a, GError
     tinker_constraints_rows_times(all, model->point_acceleration, all->residual);
     for (int32_t row = 0; row < all->rows; row++)
         all->residual[row] += all->drift[row];
-    g_autofree char *names = names_of_residual(model);
+    int count;
+    g_autofree char *names = names_of_residual(model, &count);
     g_set_error(
         error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_CONTRADICTION,
         _("%s: no motion satisfies these constraints at the start: they contradict each other (remove one, or give "
@@ -285,10 +293,14 @@ static gboolean correct_velocities(TinkerModel *model, GError **error)
         if (memcmp(given, model->v_start, bytes) != 0) warn_start_velocity(model, given);
         return TRUE;
     }
-    g_autofree char *names = names_of_residual(model);
+    int count;
+    g_autofree char *names = names_of_residual(model, &count);
     g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_CONTRADICTION,
-                _("%s: no velocity satisfies these constraints at the start: what is prescribed there contradicts "
-                  "another constraint (remove one, or let both ask for the same)"),
+                count > 1
+                    ? _("%s: no velocity satisfies these constraints at the start: what is prescribed there "
+                        "contradicts another constraint (remove one, or let both ask for the same)")
+                    : _("%s: no velocity satisfies this constraint at the start: what it asks for, nothing that it is "
+                        "on is free to do (attach it to something that can move or turn that way)"),
                 names);
     return FALSE;
 }
@@ -319,7 +331,8 @@ gboolean tinker_model_check_start(TinkerModel *model, GError **error)
     if (tinker_model_set_time(model, 0.0) != TINKER_OK) return run_error(model, TINKER_MODEL_ERROR_RUN, error);
     tinker_model_set_state(model, model->q_start, model->v_start);
     if (all->rows == 0) return TRUE;
-    if (tinker_constraints_evaluate(model) != TINKER_OK) return run_error(model, TINKER_MODEL_ERROR_RUN, error);
+    /* what cannot be where the scene puts it, as a gear on a mass, is the scene's mistake */
+    if (tinker_constraints_evaluate(model) != TINKER_OK) return run_error(model, TINKER_MODEL_ERROR_SCENE, error);
     if (!check_positions(model, error)) return FALSE;
     tinker_constraints_find_redundant(model);
     gboolean moved;
