@@ -137,7 +137,8 @@ static double rounding_of_places(const TinkerModel *model)
         const TinkerAttachment *attachment = &g_array_index(model->attachments, TinkerAttachment, i);
         if (!attachment->turn) arm = fmax(arm, hypot(attachment->arm[0], attachment->arm[1]));
     }
-    return DBL_EPSILON * (hypot(model->origin[0], model->origin[1]) + arm);
+    const double within = tinker_largest(2 * model->bodies, model->q_start);
+    return DBL_EPSILON * (hypot(model->origin[0], model->origin[1]) + arm + within);
 }
 
 static void open_part(Part *part, TinkerIslandRun *run)
