@@ -173,6 +173,26 @@ static void test_held(void)
     }
 }
 
+/* A mass that a weld holds and that a rope just reaches: a companion that rounding put off both would be met by the
+ * rope at once, with no way out, and there would be no estimate. */
+static void test_held_on_a_rope(void)
+{
+    static const char *const all[] = {"verlet", "newmark", "generalized-alpha"};
+    for (gsize i = 0; i < G_N_ELEMENTS(all); i++) {
+        g_autoptr(PhysicsRun) run = physics_run(
+            &(PhysicsOptions){.method = all[i], .step = 0.01, .duration = 1, .interval = 0.01, .estimate = TRUE},
+            "{'type': 'gravity'}, {'type': 'support', 'solid': false, 'position': [-0.9123891260556678, "
+            "-0.41238160677434244]},"
+            "{'type': 'rope', 'ends': ['Mass 0', {'block': 'Support 0', 'at': [-0.12837099888456327, "
+            "0.4528085030956127]}]},"
+            "{'type': 'mass', 'mass': 0.752, 'position': [1.722780797556081, 0.4234001272414003]},"
+            "{'type': 'support', 'solid': false, 'position': [1.722780797556081, 0.4234001272414003]},"
+            "{'type': 'law-field', 'force_x': '0.69*y*m-0.84*vx'}, {'type': 'weld', 'ends': ['Mass 0', 'Support 1']}");
+        g_assert_cmpint(count_warnings(run, "there is no error estimate"), ==, 0);
+        g_assert_cmpfloat(run->summary->error_estimate, <=, ESTIMATE_FLOOR);
+    }
+}
+
 /* What hangs at rest stays there: its speeds are rounding, and so is what two runs of them differ by. */
 static void test_rest(void)
 {
@@ -208,6 +228,7 @@ static void add_tests(void)
     g_test_add_func("/physics/estimate/no-bit-changes", test_no_bit_changes);
     g_test_add_func("/physics/estimate/failing-companion", test_failing_companion);
     g_test_add_func("/physics/estimate/held", test_held);
+    g_test_add_func("/physics/estimate/held-on-a-rope", test_held_on_a_rope);
     g_test_add_func("/physics/estimate/rest", test_rest);
     g_test_add_func("/physics/estimate/equal-steps", test_equal_steps);
 }
