@@ -95,6 +95,23 @@ static void test_cords(void)
     g_assert_cmpfloat(hypot(cord->fx, cord->fy), >, 1);
 }
 
+/* A disc of 2 kg hangs by a pin 0.2 m off its centre in a level slot of a mass, which is held: from rest the pin does
+ * not fall, N (1/m + 0.2^2/I) = g. The slot's push on the mass is 3 m off that, yet nothing can turn a mass. */
+static void test_torque_on_mass(void)
+{
+    const double inertia = 0.5 * 2 * 0.25, normal = G / (0.5 + 0.04 / inertia);
+    g_autoptr(TinkerScene) scene =
+        physics_scene(NULL, "{'type': 'gravity'}, {'type': 'support', 'solid': false}, {'type': 'mass', 'name': 'M'},"
+                            "{'type': 'disc', 'mass': 2, 'radius': 0.5, 'position': [2.8, 0], 'solid': false},"
+                            "{'type': 'weld', 'ends': ['Support 0', 'M']},"
+                            "{'type': 'slot', 'ends': ['M', {'block': 'Disc 0', 'at': [0.2, 0]}], 'angle': 0}");
+    g_autoptr(GArray) out = acting_watch_at_start(scene);
+    assert_force(find(scene, out, "Slot 0", "Disc 0", TINKER_ACTING_CONSTRAINT), 0, normal, 3, 0);
+    const TinkerActingForce *on = find(scene, out, "Slot 0", "M", TINKER_ACTING_CONSTRAINT);
+    assert_force(on, 0, -normal, 0, 0);
+    g_assert_cmpfloat(on->torque, ==, 0);
+}
+
 /* A block sticks on an incline: m g cos across it and m g sin along it, where they touch. */
 static void test_incline(void)
 {
@@ -137,6 +154,7 @@ static void add_tests(void)
     g_test_add_func("/physics/acting-forces/hanging", test_hanging);
     g_test_add_func("/physics/acting-forces/turning", test_turning);
     g_test_add_func("/physics/acting-forces/cords", test_cords);
+    g_test_add_func("/physics/acting-forces/torque-on-mass", test_torque_on_mass);
     g_test_add_func("/physics/acting-forces/incline", test_incline);
     g_test_add_func("/physics/acting-forces/odd-scenes", test_odd_scenes);
 }

@@ -49,6 +49,14 @@ static TinkerBlockId block_of(const TinkerModel *model, int32_t point)
     return tinker_model_block_of(model, point);
 }
 
+/* What of a torque acts on the body of a point: nothing turns a mass, though a row that speaks of angles has an answer
+ * for its end as well. On a support it is what holds that. */
+static double torque_on(const TinkerModel *model, int32_t point, double torque)
+{
+    const int32_t body = tinker_model_body_of(model, point);
+    return body < 0 || tinker_model_turn(model, body) != NULL ? torque : 0;
+}
+
 /* A force that acts at a point of the model, and a torque beside it: end `end` of the block, or -1. */
 static void add(TinkerActingForces *forces, TinkerActingKind kind, TinkerBlockId by, int32_t end, int32_t point,
                 double fx, double fy, double torque)
@@ -62,7 +70,7 @@ static void add(TinkerActingForces *forces, TinkerActingKind kind, TinkerBlockId
                                .y = at->y + model->origin[1],
                                .fx = fx,
                                .fy = fy,
-                               .torque = torque,
+                               .torque = torque_on(model, point, torque),
                                .end = end};
     g_array_append_val(forces->out, force);
 }
@@ -199,17 +207,21 @@ static void add_gap(TinkerActingForces *forces, int32_t number)
     const int32_t tip = plate->gap->tip_of;
     TinkerContactEntries entries;
     TinkerBlockId block[2];
+    double resists[2]; /* N m */
     tinker_contact_gap_entries(model->contacts, contact->plate, &entries);
-    for (int k = 0; k < 2; k++)
+    for (int k = 0; k < 2; k++) {
         block[k] = tinker_model_block_of(model, plate->pair->point[k]);
+        resists[k] = torque_on(model, plate->pair->point[k], k == tip ? moment : -moment);
+    }
     const double *n = entries.normal, x = entries.point[0] + model->origin[0], y = entries.point[1] + model->origin[1];
     const double push[2][2] = {{contact->normal * n[0], contact->normal * n[1]},
                                {contact->friction * n[1], -contact->friction * n[0]}};
     for (int k = 0; k < 2; k++) {
         const TinkerActingKind kind = k == 0 ? TINKER_ACTING_NORMAL : TINKER_ACTING_FRICTION;
-        const double fx = push[k][0], fy = push[k][1], torque = k == 0 ? 0 : moment;
-        TinkerActingForce pair[2] = {{block[1 - tip], block[tip], kind, x, y, fx, fy, torque},
-                                     {block[tip], block[1 - tip], kind, x, y, -fx, -fy, -torque}};
+        const double fx = push[k][0], fy = push[k][1];
+        TinkerActingForce pair[2] = {
+            {block[1 - tip], block[tip], kind, x, y, fx, fy, k == 0 ? 0 : resists[tip], -1},
+            {block[tip], block[1 - tip], kind, x, y, -fx, -fy, k == 0 ? 0 : resists[1 - tip], -1}};
         g_array_append_vals(forces->out, pair, 2);
     }
 }
