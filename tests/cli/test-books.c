@@ -54,6 +54,15 @@
           "{\"type\": \"mass\", \"name\": \"B\", \"position\": [0.1, 1.0], \"height\": 0.3},"                          \
           "{\"type\": \"disc\", \"name\": \"C\", \"position\": [1.3, 1.18], \"radius\": 0.33}")
 
+/* 1 kg runs at 2 m/s into a bumper of 400 N/m and 4 N s/m, after 1 s: its damper pushes at once. */
+#define BUMPED                                                                                                         \
+    "{\"tinker\": 1, \"run\": {\"duration\": 2, \"tolerance\": 1e-12}, \"blocks\": ["                                  \
+    "{\"type\": \"support\", \"name\": \"Wall\", \"position\": [3, 0], \"solid\": false},"                             \
+    "{\"type\": \"mass\", \"name\": \"Ball\", \"velocity\": [2, 0]},"                                                  \
+    "{\"type\": \"bumper\", \"name\": \"Bumper\", \"ends\": [\"Wall\", \"Ball\"], \"stiffness\": 400, \"damping\": "   \
+    "4, "                                                                                                              \
+    "\"length\": 1}]}"
+
 static cJSON *json_of(CliFixture *fixture, const char *scene, const char *words)
 {
     g_autofree char *path = cli_write(fixture, "scene.json", scene);
@@ -84,6 +93,32 @@ static void assert_numbers(const cJSON *root, const Expected *expected, gsize co
         const double found = number_at(root, expected[i].path);
         if (fabs(found - expected[i].value) > 1e-9)
             g_error("%s is %.12g, %.12g was expected", expected[i].path, found, expected[i].value);
+    }
+}
+
+/* The force begins with a jump and lets go with a kink, both between any two times that are looked at. Shortened by
+ * x = v/w e^(-2 t) sin w t, w^2 = 400 - 2^2, it pushes with 400 x + 4 dx/dt until tan w t = -4 w/(400 - 8). */
+static void test_bumper(CliFixture *fixture, gconstpointer data)
+{
+    const double w = sqrt(396), over = (acos(-1) - atan(4 * w / 392)) / w;
+    const double leaves = -2 * exp(-2 * over) * (cos(w * over) - 2 / w * sin(w * over));
+    const double at = 0.05, deep = 2 * exp(-2 * at) * (cos(w * at) - 2 / w * sin(w * at));
+    const struct {
+        const char *words;
+        double speed;
+    } cases[] = {{"books @scene.json --to 1.05 --as json", deep},
+                 {"books @scene.json --to 1.3 --as json", -leaves},
+                 {"books @scene.json --as json", -leaves}};
+    for (gsize i = 0; i < G_N_ELEMENTS(cases); i++) {
+        const double v = cases[i].speed;
+        const Expected expected[] = {{"energy/work/Bumper", 0.5 * (v * v - 4)},
+                                     {"momentum/impulses/Bumper/0", v - 2},
+                                     {"energy/residual", 0},
+                                     {"momentum/residual", 0},
+                                     {"angular/residual", 0}};
+        cJSON *root = json_of(fixture, BUMPED, cases[i].words);
+        assert_numbers(root, expected, G_N_ELEMENTS(expected));
+        cJSON_Delete(root);
     }
 }
 
@@ -397,6 +432,7 @@ int main(int argc, char **argv)
     cli_test_add("/cli/books/throw", test_throw);
     cli_test_add("/cli/books/bounce", test_bounce);
     cli_test_add("/cli/books/struck", test_struck);
+    cli_test_add("/cli/books/bumper", test_bumper);
     cli_test_add("/cli/books/dumbbell", test_dumbbell);
     cli_test_add("/cli/books/dropped-together", test_dropped_together);
     cli_test_add("/cli/books/bounce-as-impulse", test_bounce_as_impulse);

@@ -79,9 +79,17 @@ void tinker_book_add_motion(TinkerBookKeeper *keeper, const TinkerModelState *st
     books->angular[which] = sum.angular;
 }
 
-void tinker_book_add_forces(TinkerBookKeeper *keeper, const TinkerModelState *state, double weight, gboolean end)
+/* Between 1 and 2, another one for each force: parts of turns by irrational numbers come near to no other soon. */
+static double number_of(const TinkerActingForce *force)
+{
+    return 1 + fmod(0.6180339887498949 * force->by + 0.4142135623730950 * force->on, 1);
+}
+
+void tinker_book_add_forces(TinkerBookKeeper *keeper, const TinkerModelState *state, double weight, gboolean end,
+                            double values[TINKER_BOOK_FUNCTIONS])
 {
     const TinkerBooks *books = keeper->books;
+    memset(values, 0, TINKER_BOOK_FUNCTIONS * sizeof *values);
     for (guint i = 0; i < state->forces->len; i++) {
         const TinkerActingForce *force = &g_array_index(state->forces, TinkerActingForce, i);
         const TinkerBookBody *body = tinker_book_body(keeper, force->on);
@@ -93,6 +101,9 @@ void tinker_book_add_forces(TinkerBookKeeper *keeper, const TinkerModelState *st
         const double turning = body->inertia > 0 ? tinker_model_state_moment(state, force) : 0;
         const double power = force->fx * at->vx + force->fy * at->vy + turning * now->rate;
         const double moment = (at->x - books->about[0]) * force->fy - (at->y - books->about[1]) * force->fx + turning;
+        const double number = number_of(force), each[] = {power, force->fx, force->fy, moment};
+        for (int f = 0; f < TINKER_BOOK_FUNCTIONS; f++)
+            values[f] += number * each[f];
         account->entry.work += weight * power;
         account->entry.impulse[0] += weight * force->fx;
         account->entry.impulse[1] += weight * force->fy;

@@ -30,8 +30,9 @@ typedef struct {
     TinkerBooks *books;
     GArray *bodies;   /* of TinkerBookBody */
     GArray *accounts; /* of TinkerBookAccount, by block id */
-    GArray *nodes;
-    guint next; /* node */
+    GArray *panels;   /* of TinkerBookPanel */
+    GArray *nodes;    /* of TinkerBookNode */
+    guint next;       /* node */
     GArray *columns;
     const GPtrArray *instants; /* of TinkerBookInstant: those of the run before */
     GArray *jolts;             /* of TinkerJolt: of this run */
@@ -46,8 +47,11 @@ TinkerBookAccount *tinker_book_account(TinkerBookKeeper *keeper, TinkerBlockId b
 /* The moments of motion at a state, kept as those before (0), after (1) or of neither (-1). */
 void tinker_book_add_motion(TinkerBookKeeper *keeper, const TinkerModelState *state, int which);
 
-/* What the forces at a state do in so many seconds; at the end they are Newton's as well. */
-void tinker_book_add_forces(TinkerBookKeeper *keeper, const TinkerModelState *state, double weight, gboolean end);
+/* What the forces at a state do in so many seconds; at the end they are Newton's as well. `values` are what panels are
+ * judged by: power, forces and moment of all, each by a number of its own, so that a jump of one is seen though another
+ * one makes up for it. */
+void tinker_book_add_forces(TinkerBookKeeper *keeper, const TinkerModelState *state, double weight, gboolean end,
+                            double values[TINKER_BOOK_FUNCTIONS]);
 
 /* Looks at velocities just before instants (`since` is INFINITY), and behind them, the first of which is `since` and
  * the last the state's time. */

@@ -16,6 +16,8 @@ typedef struct {
     double time, weight; /* s */
     TinkerNodeKind kind;
     double since; /* s: of one after instants, the first of them */
+    guint panel;  /* of one inside: which, */
+    int point;    /* and its number there */
 } TinkerBookNode;
 
 /* Instants that are too near to one another to be told apart: the first and the last. */
@@ -23,8 +25,39 @@ typedef struct {
     double first, last; /* s */
 } TinkerBookCut;
 
-/* The nodes from one time to another, ascending, with about so many panels; pieces end at the cuts (of
- * TinkerBookCut, ascending), where velocities may jump or do not. (transfer full) */
-GArray *tinker_book_nodes(double from, double to, const GArray *cuts, gboolean jump, int panels);
+/* Functions that panels are judged by: a power, two forces, a moment. */
+#define TINKER_BOOK_FUNCTIONS 4
+/* The last coefficients of a function's Legendre series, which are kept: those of P4 to P7. */
+#define TINKER_BOOK_TOPS 4
+
+/* What is integrated over as one. */
+typedef struct {
+    double from, to; /* s */
+    guint piece;     /* it lies in: the number of the cut that ends it, or how many cuts there are */
+    /* Of the polynomials through what the functions are at the points: */
+    double top[TINKER_BOOK_FUNCTIONS][TINKER_BOOK_TOPS];
+    double end[TINKER_BOOK_FUNCTIONS][2]; /* what they come to at both ends */
+} TinkerBookPanel;
+
+/* About so many panels from one time to another, ascending; pieces end at the cuts (of TinkerBookCut, ascending).
+ * Element: TinkerBookPanel. (transfer full) */
+GArray *tinker_book_panels(double from, double to, const GArray *cuts, int panels);
+
+/* The nodes of the panels, ascending; at the cuts velocities may jump or do not. (transfer full) */
+GArray *tinker_book_nodes(double from, double to, const GArray *panels, const GArray *cuts, gboolean jump);
+
+/* Forgets what the panels have taken. */
+void tinker_book_panels_clear(GArray *panels);
+
+/* The functions at a node of a panel. */
+void tinker_book_panel_take(TinkerBookPanel *panel, int point, const double values[TINKER_BOOK_FUNCTIONS]);
+
+/* Makes smaller the panels over which an integral is off by more than `allowed` (of each function), as long as there
+ * are not more than `most` of them; narrow ones where a function has a jump or a kink. What the panels have taken is
+ * forgotten. FALSE: there was none. */
+gboolean tinker_book_panels_refine(GArray *panels, const double allowed[TINKER_BOOK_FUNCTIONS], guint most);
+
+/* Halves all that are wider. */
+void tinker_book_panels_halve(GArray *panels, double width);
 
 #endif

@@ -2,6 +2,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <string.h>
 
 #define POINTS 8
 #define BEFORE 64 /* last digits of a time before it */
@@ -12,37 +13,189 @@ static const double places[POINTS / 2] = {0.1834346424956498049394761, 0.5255324
 static const double weights[POINTS / 2] = {0.3626837833783619829651504, 0.3137066458778872873379622,
                                            0.2223810344533744705443560, 0.1012285362903762591525314};
 
-static void add(GArray *nodes, double time, double weight, TinkerNodeKind kind)
-{
-    const TinkerBookNode node = {time, weight, kind, time};
-    g_array_append_val(nodes, node);
-}
+/* Parts of a panel that a function is smooth in, and of one that it jumps in: an end of the jump's own part is as near
+ * to it after few runs. */
+#define PARTS      2
+#define PARTS_JUMP 16
+/* From one pair of coefficients to the next: those of a jump or a kink all but stay as they are. */
+#define JUMPS 0.25
+/* Of a panel: what lies beyond its last point, unseen. */
+#define BEYOND 0.02
+/* Last digits of a time: panels are not made narrower. */
+#define NARROWEST 1024
 
-static void add_panel(GArray *nodes, double from, double to)
+GArray *tinker_book_panels(double from, double to, const GArray *cuts, int panels)
 {
-    const double middle = from + (to - from) / 2, half = (to - from) / 2;
-    for (int i = -POINTS / 2; i < POINTS / 2; i++) {
-        const int k = i < 0 ? -i - 1 : i;
-        add(nodes, middle + (i < 0 ? -1 : 1) * places[k] * half, weights[k] * half, TINKER_NODE_INSIDE);
-    }
-}
-
-GArray *tinker_book_nodes(double from, double to, const GArray *cuts, gboolean jump, int panels)
-{
-    GArray *nodes = g_array_new(FALSE, FALSE, sizeof(TinkerBookNode));
+    GArray *made = g_array_new(FALSE, TRUE, sizeof(TinkerBookPanel));
     double begin = from;
-    add(nodes, from, 0, TINKER_NODE_START);
     for (guint i = 0; i <= cuts->len; i++) {
-        const gboolean last = i == cuts->len;
-        const TinkerBookCut cut = last ? (TinkerBookCut){to, to} : g_array_index(cuts, TinkerBookCut, i);
-        const double end = cut.first;
-        const int count = MAX(1, (int)ceil(panels * (end - begin) / (to - from)));
-        for (int k = 0; k < count; k++)
-            add_panel(nodes, begin + (end - begin) * k / count, begin + (end - begin) * (k + 1) / count);
-        if (!last && jump) add(nodes, end - BEFORE * DBL_EPSILON * fabs(end), 0, TINKER_NODE_BEFORE);
-        if (last || jump) add(nodes, cut.last, 0, last ? TINKER_NODE_END : TINKER_NODE_AFTER);
-        g_array_index(nodes, TinkerBookNode, nodes->len - 1).since = end;
+        const TinkerBookCut cut = i < cuts->len ? g_array_index(cuts, TinkerBookCut, i) : (TinkerBookCut){to, to};
+        const double whole = cut.first - begin;
+        const int count = MAX(1, (int)ceil(panels * whole / (to - from)));
+        for (int k = 0; k < count; k++) {
+            const TinkerBookPanel panel = {
+                .from = begin + whole * k / count, .to = begin + whole * (k + 1) / count, .piece = i};
+            g_array_append_val(made, panel);
+        }
         begin = cut.last;
     }
+    return made;
+}
+
+static TinkerBookNode *add(GArray *nodes, double time, double weight, TinkerNodeKind kind)
+{
+    const TinkerBookNode node = {.time = time, .weight = weight, .kind = kind, .since = time};
+    g_array_append_val(nodes, node);
+    return &g_array_index(nodes, TinkerBookNode, nodes->len - 1);
+}
+
+/* The place of a point on [-1, 1], and its weight. */
+static double place_of(int point, double *weight)
+{
+    const int k = point < POINTS / 2 ? POINTS / 2 - 1 - point : point - POINTS / 2;
+    *weight = weights[k];
+    return point < POINTS / 2 ? -places[k] : places[k];
+}
+
+static void add_panel(GArray *nodes, const GArray *panels, guint number)
+{
+    const TinkerBookPanel *panel = &g_array_index(panels, TinkerBookPanel, number);
+    const double middle = panel->from + (panel->to - panel->from) / 2, half = (panel->to - panel->from) / 2;
+    for (int point = 0; point < POINTS; point++) {
+        double weight;
+        const double place = place_of(point, &weight);
+        TinkerBookNode *node = add(nodes, middle + place * half, weight * half, TINKER_NODE_INSIDE);
+        node->panel = number;
+        node->point = point;
+    }
+}
+
+GArray *tinker_book_nodes(double from, double to, const GArray *panels, const GArray *cuts, gboolean jump)
+{
+    GArray *nodes = g_array_new(FALSE, FALSE, sizeof(TinkerBookNode));
+    guint next = 0;
+    add(nodes, from, 0, TINKER_NODE_START);
+    for (guint i = 0; i <= cuts->len; i++) {
+        for (; next < panels->len && g_array_index(panels, TinkerBookPanel, next).piece == i; next++)
+            add_panel(nodes, panels, next);
+        if (i == cuts->len) break;
+        const TinkerBookCut cut = g_array_index(cuts, TinkerBookCut, i);
+        if (!jump) continue;
+        add(nodes, cut.first - BEFORE * DBL_EPSILON * fabs(cut.first), 0, TINKER_NODE_BEFORE);
+        add(nodes, cut.last, 0, TINKER_NODE_AFTER)->since = cut.first;
+    }
+    add(nodes, to, 0, TINKER_NODE_END);
     return nodes;
+}
+
+void tinker_book_panels_clear(GArray *panels)
+{
+    for (guint i = 0; i < panels->len; i++) {
+        TinkerBookPanel *panel = &g_array_index(panels, TinkerBookPanel, i);
+        memset(panel->top, 0, sizeof panel->top);
+        memset(panel->end, 0, sizeof panel->end);
+    }
+}
+
+/* The coefficient of P_k is (2 k + 1)/2 times the sum of w_i P_k(x_i) f(x_i); P_k by Bonnet's recurrence. P_k(1) is 1,
+ * P_k(-1) is (-1)^k. */
+void tinker_book_panel_take(TinkerBookPanel *panel, int point, const double values[TINKER_BOOK_FUNCTIONS])
+{
+    double weight, before = 0, polynomial = 1;
+    const double x = place_of(point, &weight);
+    for (int k = 0; k < POINTS; k++) {
+        const double share = (k + 0.5) * weight * polynomial,
+                     next = ((2 * k + 1) * x * polynomial - k * before) / (k + 1);
+        const int top = k - (POINTS - TINKER_BOOK_TOPS);
+        for (int f = 0; f < TINKER_BOOK_FUNCTIONS; f++) {
+            if (top >= 0) panel->top[f][top] += share * values[f];
+            panel->end[f][0] += (k % 2 == 0 ? 1 : -1) * share * values[f];
+            panel->end[f][1] += share * values[f];
+        }
+        before = polynomial;
+        polynomial = next;
+    }
+}
+
+/* How far the rule is off, and in `ratio` how the coefficients go on. Gauss's rule of n points leaves out those from
+ * P_2n on: as small as the last ones are, and that ratio from each pair to the next. */
+static double left_out(const TinkerBookPanel *panel, int function, double *ratio)
+{
+    const double *top = panel->top[function];
+    const double third = fmax(fabs(top[0]), fabs(top[1])), last = fmax(fabs(top[2]), fabs(top[3]));
+    *ratio = last < third ? last / third : 1;
+    return (panel->to - panel->from) * last * pow(*ratio, 0.5 * POINTS);
+}
+
+/* Whether a jump may lie between the last point of a panel and the first of the next one, where no point sees it: what
+ * both come to there differs. */
+static gboolean jumps_between(const TinkerBookPanel *panel, const TinkerBookPanel *next,
+                              const double allowed[TINKER_BOOK_FUNCTIONS])
+{
+    const double width = BEYOND * fmax(panel->to - panel->from, next->to - next->from);
+    if (panel->piece != next->piece) return FALSE;
+    for (int f = 0; f < TINKER_BOOK_FUNCTIONS; f++)
+        if (width * fabs(next->end[f][0] - panel->end[f][1]) > allowed[f]) return TRUE;
+    return FALSE;
+}
+
+/* In how many parts a panel is to be taken; 1: it is good as it is. */
+static int parts_of(const GArray *panels, guint number, const double allowed[TINKER_BOOK_FUNCTIONS])
+{
+    const TinkerBookPanel *panel = &g_array_index(panels, TinkerBookPanel, number);
+    int parts = 1;
+    if (panel->to - panel->from < NARROWEST * DBL_EPSILON * fmax(fabs(panel->from), fabs(panel->to))) return parts;
+    for (int f = 0; f < TINKER_BOOK_FUNCTIONS; f++) {
+        double ratio;
+        if (left_out(panel, f, &ratio) > allowed[f]) parts = MAX(parts, ratio > JUMPS ? PARTS_JUMP : PARTS);
+    }
+    if (parts > 1) return parts;
+    const gboolean jumps = (number > 0 && jumps_between(panel - 1, panel, allowed)) ||
+                           (number + 1 < panels->len && jumps_between(panel, panel + 1, allowed));
+    return jumps ? PARTS_JUMP : parts;
+}
+
+static void add_parts(GArray *panels, const TinkerBookPanel *panel, int parts)
+{
+    const double whole = panel->to - panel->from;
+    for (int k = 0; k < parts; k++) {
+        const TinkerBookPanel part = {.from = panel->from + whole * k / parts,
+                                      .to = k + 1 < parts ? panel->from + whole * (k + 1) / parts : panel->to,
+                                      .piece = panel->piece};
+        g_array_append_val(panels, part);
+    }
+}
+
+/* Puts what `made` holds in the place of the panels, and frees it. */
+static void replace(GArray *panels, GArray *made)
+{
+    g_array_set_size(panels, 0);
+    g_array_append_vals(panels, made->data, made->len);
+    g_array_unref(made);
+}
+
+gboolean tinker_book_panels_refine(GArray *panels, const double allowed[TINKER_BOOK_FUNCTIONS], guint most)
+{
+    GArray *made = g_array_new(FALSE, TRUE, sizeof(TinkerBookPanel));
+    guint left = most > panels->len ? most - panels->len : 0, found = 0;
+    for (guint i = 0; i < panels->len; i++) {
+        const TinkerBookPanel *panel = &g_array_index(panels, TinkerBookPanel, i);
+        int parts = parts_of(panels, i, allowed);
+        if ((guint)parts - 1 > left) parts = left > 0 ? PARTS : 1;
+        add_parts(made, panel, parts);
+        left -= (guint)parts - 1;
+        found += parts > 1;
+    }
+    replace(panels, made);
+    return found > 0;
+}
+
+void tinker_book_panels_halve(GArray *panels, double width)
+{
+    GArray *made = g_array_new(FALSE, TRUE, sizeof(TinkerBookPanel));
+    for (guint i = 0; i < panels->len; i++) {
+        const TinkerBookPanel *panel = &g_array_index(panels, TinkerBookPanel, i);
+        add_parts(made, panel, panel->to - panel->from > width ? PARTS : 1);
+    }
+    replace(panels, made);
 }

@@ -13,6 +13,7 @@
 
 #define FIRST_PANELS 8
 #define MOST_PANELS  4096
+#define MOST_RUNS    32
 #define MOST_STEPS   32768 /* each a piece of its own; of more the panels average */
 #define STANDS_STILL 1e-11 /* of the scales, from one number of panels to twice as many */
 #define CLOSEST_CUTS 1e-9  /* of the interval: cuts that are nearer are one */
@@ -27,6 +28,7 @@ static void begin_again(void *data)
     g_array_set_size(keeper->books->impacts, 0);
     memset(keeper->greatest, 0, sizeof keeper->greatest);
     memset(keeper->books->rate, 0, sizeof keeper->books->rate);
+    tinker_book_panels_clear(keeper->panels);
 }
 
 static gboolean look(TinkerSimulation *simulation, double time, const double *values, void *data, GError **error)
@@ -39,7 +41,12 @@ static gboolean look(TinkerSimulation *simulation, double time, const double *va
     if (state == NULL) return FALSE;
     const gboolean start = node->kind == TINKER_NODE_START, end = node->kind == TINKER_NODE_END;
     tinker_book_add_motion(keeper, state, start ? 0 : end ? 1 : -1);
-    if (node->kind == TINKER_NODE_INSIDE || end) tinker_book_add_forces(keeper, state, node->weight, end);
+    if (node->kind == TINKER_NODE_INSIDE || end) {
+        double judged[TINKER_BOOK_FUNCTIONS];
+        tinker_book_add_forces(keeper, state, node->weight, end, judged);
+        if (!end)
+            tinker_book_panel_take(&g_array_index(keeper->panels, TinkerBookPanel, node->panel), node->point, judged);
+    }
     if (node->kind == TINKER_NODE_BEFORE || node->kind == TINKER_NODE_AFTER)
         tinker_book_look_for_jumps(keeper, state, node->kind == TINKER_NODE_AFTER ? node->since : INFINITY);
     for (guint i = 0; end && i < state->bodies->len; i++) {
@@ -162,16 +169,32 @@ static double change_of(const TinkerBooks *books, const GArray *before)
     return change;
 }
 
+/* Whether panels were made smaller: those whose integrals are off, or, where there are none but the integrals do not
+ * stand still from fewer panels to these, all that are wide. */
+static gboolean refine(const TinkerBookKeeper *keeper, const GArray *before, int *wide)
+{
+    const TinkerBooks *books = keeper->books;
+    const double work = STANDS_STILL * books->energy.scale, impulse = STANDS_STILL * books->impulse.scale;
+    const double allowed[TINKER_BOOK_FUNCTIONS] = {work, impulse, impulse, STANDS_STILL * books->moment.scale};
+    if (tinker_book_panels_refine(keeper->panels, allowed, MOST_PANELS)) return TRUE;
+    if (change_of(books, before) <= STANDS_STILL || *wide >= MOST_PANELS) return FALSE;
+    *wide *= 2;
+    tinker_book_panels_halve(keeper->panels, (books->to - books->from) / *wide);
+    return TRUE;
+}
+
 static gboolean keep(TinkerBookKeeper *keeper, const TinkerRunOptions *options, const GArray *cuts, gboolean jump,
                      GError **error)
 {
+    const double from = keeper->books->from, to = keeper->books->to;
     g_autoptr(GArray) before = NULL;
-    for (int panels = FIRST_PANELS; panels <= MOST_PANELS; panels *= 2) {
+    int wide = FIRST_PANELS;
+    for (int runs = 0; runs < MOST_RUNS; runs++) {
         g_clear_pointer(&keeper->nodes, g_array_unref);
-        keeper->nodes = tinker_book_nodes(keeper->books->from, keeper->books->to, cuts, jump, panels);
+        keeper->nodes = tinker_book_nodes(from, to, keeper->panels, cuts, jump);
         if (!run(keeper, options, NULL, NULL, error)) return FALSE;
         tinker_book_conclude(keeper);
-        if (change_of(keeper->books, before) <= STANDS_STILL) return TRUE;
+        if (!refine(keeper, before, &wide)) return TRUE;
         g_clear_pointer(&before, g_array_unref);
         before = g_array_copy(keeper->books->entries);
     }
@@ -212,12 +235,18 @@ TinkerBooks *tinker_books_new(TinkerScene *scene, const TinkerRunOptions *option
     /* once for what happens, and then between that */
     g_autoptr(GPtrArray) instants = NULL;
     double step = 0;
-    keeper.nodes = tinker_book_nodes(from, to, none, FALSE, 1);
+    keeper.panels = tinker_book_panels(from, to, none, 1);
+    keeper.nodes = tinker_book_nodes(from, to, keeper.panels, none, FALSE);
     gboolean done = run(&keeper, options, &instants, &step, error);
     keeper.instants = instants;
     const gboolean by_steps = done && options->impulses && step > 0 && (to - from) / step <= MOST_STEPS;
     if (done) cuts = by_steps ? steps_of(books, step) : cuts_of(scene, books, instants, error);
+    if (cuts != NULL) {
+        g_array_unref(keeper.panels);
+        keeper.panels = tinker_book_panels(from, to, cuts, FIRST_PANELS);
+    }
     done = cuts != NULL && keep(&keeper, options, cuts, !by_steps, error);
+    g_array_unref(keeper.panels);
     g_array_unref(keeper.nodes);
     return done ? g_steal_pointer(&books) : NULL;
 }

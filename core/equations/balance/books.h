@@ -2,8 +2,10 @@
  * momentum (linear, and angular about a point), each with what every force gave and what is left over.
  *
  * Powers, forces and moments are integrated over the run itself, by Gauss's rule with 8 points between all instants at
- * which a force jumps (M. Abramowitz, I. A. Stegun, Handbook of Mathematical Functions, table 25.4), with ever more
- * panels until the integrals stand still. What an impact gives is the jump of the velocity. */
+ * which a force is known to jump (M. Abramowitz, I. A. Stegun, Handbook of Mathematical Functions, table 25.4). Panels
+ * are divided where the Legendre series of a function does not die out, or does not go on into the next panel's, as
+ * about a jump that nobody told of, until the integrals stand still. What an impact gives is the jump of the velocity.
+ */
 #ifndef TINKER_CORE_BOOKS_H
 #define TINKER_CORE_BOOKS_H
 
