@@ -1,0 +1,86 @@
+/* The words for what bodies do in a mode, where closed forms tell it: in step and against each other, along a line and
+ * about axes. */
+#include "common/overlay/mode-shape.h"
+#include "modes-fixture.h"
+
+/* The oscillations of a scene, in order, are said to be these; NULL: nothing is said. */
+static void assert_words(const char *blocks, const char *const *words, guint count)
+{
+    g_autoptr(ModesFixture) a = modes_about_rest(blocks);
+    guint place = 0;
+    g_assert_cmpuint(modes_count(a, TINKER_MODE_OSCILLATION), ==, count);
+    for (guint i = 0; i < a->analysis->modes->len; i++) {
+        if (modes_at(a, i)->kind != TINKER_MODE_OSCILLATION) continue;
+        g_autofree char *said = tinker_mode_motion(a->analysis, modes_at(a, i));
+        g_assert_cmpstr(said, ==, words[place++]);
+    }
+}
+
+#define LINE(x0_, y0_, x1_, y1_, x2_, y2_, x3_, y3_)                                                                   \
+    "{'type': 'support', 'position': [" x0_ ", " y0_ "]}, {'type': 'mass', 'position': [" x1_ ", " y1_ "]},"           \
+    "{'type': 'mass', 'position': [" x2_ ", " y2_ "]}, {'type': 'support', 'position': [" x3_ ", " y3_ "]},"           \
+    "{'type': 'spring', 'ends': ['Support 0', 'Mass 0'], 'stiffness': 3},"                                             \
+    "{'type': 'spring', 'ends': ['Mass 0', 'Mass 1'], 'stiffness': 2},"                                                \
+    "{'type': 'spring', 'ends': ['Mass 1', 'Support 1'], 'stiffness': 3}"
+
+/* x1 = x2 with 3 s^-2, x1 = -x2 with 7 s^-2; along a line that leans they go neither sideways nor up and down. */
+static void test_two_masses(void)
+{
+    static const char *const level[] = {"sideways in step", "sideways against each other"};
+    static const char *const upright[] = {"up and down in step", "up and down against each other"};
+    static const char *const leaning[] = {NULL, NULL};
+    assert_words(LINE("0", "0", "1", "0", "2", "0", "3", "0"), level, 2);
+    assert_words(LINE("0", "0", "0", "1", "0", "2", "0", "3"), upright, 2);
+    assert_words(LINE("0", "0", "3", "4", "6", "8", "9", "12"), leaning, 2);
+}
+
+/* Alike springs between three of 1 kg and two walls: (1, sqrt 2, 1), (1, 0, -1), (1, -sqrt 2, 1). What stands still
+ * counts on neither side; of one against two nothing simple is said but the way. */
+static void test_three_masses(void)
+{
+    static const char *const words[] = {"sideways in step", "sideways against each other", "sideways"};
+    assert_words(
+        "{'type': 'support'}, {'type': 'mass', 'position': [1, 0]}, {'type': 'mass', 'position': [2, 0]},"
+        "{'type': 'mass', 'position': [3, 0]}, {'type': 'support', 'position': [4, 0]},"
+        "{'type': 'spring', 'ends': ['Support 0', 'Mass 0']}, {'type': 'spring', 'ends': ['Mass 0', 'Mass 1']},"
+        "{'type': 'spring', 'ends': ['Mass 1', 'Mass 2']}, {'type': 'spring', 'ends': ['Mass 2', 'Support 1']}",
+        words, 3);
+}
+
+/* Two alike discs on pins, with torsional springs of 3, 2 and 3 N m/rad to a wall, between them and to it. */
+static void test_two_discs(void)
+{
+    static const char *const words[] = {"turning in step", "turning against each other"};
+    assert_words("{'type': 'support', 'solid': false}, {'type': 'disc', 'radius': 0.5, 'solid': false},"
+                 "{'type': 'support', 'position': [2, 0], 'solid': false},"
+                 "{'type': 'disc', 'radius': 0.5, 'position': [2, 0], 'solid': false},"
+                 "{'type': 'pin', 'ends': ['Support 0', 'Disc 0']}, {'type': 'pin', 'ends': ['Support 1', 'Disc 1']},"
+                 "{'type': 'torsional-spring', 'ends': ['Support 0', 'Disc 0'], 'stiffness': 3},"
+                 "{'type': 'torsional-spring', 'ends': ['Disc 0', 'Disc 1'], 'stiffness': 2},"
+                 "{'type': 'torsional-spring', 'ends': ['Support 1', 'Disc 1'], 'stiffness': 3}",
+                 words, 2);
+}
+
+/* 1 kg on 4 N/m: 2 rad/s, 1/pi Hz, pi s. */
+static void test_captions(void)
+{
+    g_autoptr(ModesFixture) a = modes_about_rest("{'type': 'support'}, {'type': 'mass', 'position': [1, 0]},"
+                                                 "{'type': 'spring', 'ends': ['Support 0', 'Mass 0'], 'stiffness': 4}");
+    g_autofree char *free = tinker_mode_caption(a->analysis, modes_at(a, 0), 1),
+                    *swings = tinker_mode_caption(a->analysis, modes_at(a, 1), 2);
+    g_assert_cmpstr(free, ==, "Mode 1, up and down: moves freely, 0 Hz");
+    g_assert_cmpstr(swings, ==, "Mode 2, sideways: ω₀ = 2 rad/s, f = 0.3183 Hz, T = 3.142 s");
+}
+
+static void add_tests(void)
+{
+    g_test_add_func("/analysis/mode-words/two-masses", test_two_masses);
+    g_test_add_func("/analysis/mode-words/three-masses", test_three_masses);
+    g_test_add_func("/analysis/mode-words/two-discs", test_two_discs);
+    g_test_add_func("/analysis/mode-words/captions", test_captions);
+}
+
+int main(int argc, char **argv)
+{
+    return physics_main(argc, argv, add_tests);
+}
