@@ -83,6 +83,16 @@ static void derivatives_of(const TinkerBatch *batch, double length, double rate,
     *by_rate = given != NULL ? tinker_typed_laws->slope(given, BY_RATE, at) : 0.0;
 }
 
+/* Whether any of them has this law. Mostly all have the same one; with few, a question to none takes as long as that.
+ */
+static int any_has(const TinkerBatch *batch, int32_t number)
+{
+    const TinkerTypedLaw *const *law = batch->laws + number;
+    for (int32_t i = 0; i < batch->count; i++, law += batch->law_count)
+        if (*law != NULL) return 1;
+    return 0;
+}
+
 /* Each connector has one of both laws, and the service passes those over that have not the one that is asked for. */
 static TinkerStatus tension(TinkerBatch *batch, const double *length, const double *rate, double *result)
 {
@@ -90,11 +100,15 @@ static TinkerStatus tension(TinkerBatch *batch, const double *length, const doub
         result[0] = tension_of(batch, 0, length[0], rate[0]);
         return TINKER_OK;
     }
-    const double *const arguments[] = {length, rate, NULL}, uniform[] = {0.0, 0.0, batch->time};
-    const TinkerTypedQuestion given = tinker_typed_question(batch, FORMULA_TENSION, arguments, uniform),
-                              potential = tinker_typed_question(batch, FORMULA_POTENTIAL, arguments, NULL);
-    tinker_typed_laws->values(&given, result);
-    tinker_typed_laws->slopes(&potential, BY_LENGTH, result);
+    if (any_has(batch, FORMULA_TENSION)) {
+        const double *const arguments[] = {length, rate, NULL}, uniform[] = {0.0, 0.0, batch->time};
+        const TinkerTypedQuestion given = tinker_typed_question(batch, FORMULA_TENSION, arguments, uniform);
+        tinker_typed_laws->values(&given, result);
+    }
+    if (any_has(batch, FORMULA_POTENTIAL)) {
+        const TinkerTypedQuestion potential = tinker_typed_question(batch, FORMULA_POTENTIAL, &length, NULL);
+        tinker_typed_laws->slopes(&potential, BY_LENGTH, result);
+    }
     return TINKER_OK;
 }
 
@@ -105,14 +119,18 @@ static TinkerStatus derivatives(TinkerBatch *batch, const double *length, const 
         derivatives_of(batch, length[0], rate[0], by_length, by_rate);
         return TINKER_OK;
     }
-    const double *const arguments[] = {length, rate, NULL}, uniform[] = {0.0, 0.0, batch->time};
-    const TinkerTypedQuestion given = tinker_typed_question(batch, FORMULA_TENSION, arguments, uniform),
-                              potential = tinker_typed_question(batch, FORMULA_POTENTIAL, arguments, NULL);
-    for (int32_t i = 0; i < batch->count; i++)
-        by_rate[i] = 0.0;
-    tinker_typed_laws->slopes(&given, BY_LENGTH, by_length);
-    tinker_typed_laws->slopes(&given, BY_RATE, by_rate);
-    tinker_typed_laws->curvatures(&potential, BY_LENGTH, BY_LENGTH, by_length);
+    if (any_has(batch, FORMULA_POTENTIAL)) {
+        const TinkerTypedQuestion potential = tinker_typed_question(batch, FORMULA_POTENTIAL, &length, NULL);
+        for (int32_t i = 0; i < batch->count; i++)
+            by_rate[i] = 0.0;
+        tinker_typed_laws->curvatures(&potential, BY_LENGTH, BY_LENGTH, by_length);
+    }
+    if (any_has(batch, FORMULA_TENSION)) {
+        const double *const arguments[] = {length, rate, NULL}, uniform[] = {0.0, 0.0, batch->time};
+        const TinkerTypedQuestion given = tinker_typed_question(batch, FORMULA_TENSION, arguments, uniform);
+        tinker_typed_laws->slopes(&given, BY_LENGTH, by_length);
+        tinker_typed_laws->slopes(&given, BY_RATE, by_rate);
+    }
     return TINKER_OK;
 }
 

@@ -193,6 +193,11 @@ __attribute__((target("avx2"))) static void run_block_avx2(const TinkerCompiled 
 }
 #endif
 
+static void run_block_plain(const TinkerCompiled *compiled, double *const *entry, gssize lanes)
+{
+    run_block(compiled, entry, lanes);
+}
+
 static void run_block_anywhere(const TinkerCompiled *compiled, double *const *entry, gssize lanes)
 {
 #if defined(__x86_64__)
@@ -201,7 +206,7 @@ static void run_block_anywhere(const TinkerCompiled *compiled, double *const *en
         return;
     }
 #endif
-    run_block(compiled, entry, lanes);
+    run_block_plain(compiled, entry, lanes);
 }
 
 /* The memory of a block: columns of the caller's, and columns here. */
@@ -263,14 +268,53 @@ static void copy_answer(const TinkerCompiled *compiled, const TinkerColumns *col
         results[i] = value;
 }
 
+static gboolean fits(const TinkerCompiled *compiled)
+{
+    return compiled->registers <= MOST_REGISTERS && compiled->numbers <= MOST_NUMBERS &&
+           compiled->arguments <= TINKER_TYPED_MOST_ARGUMENTS;
+}
+
 gboolean tinker_compiled_values(const TinkerCompiled *compiled, const TinkerColumns *columns, double *results)
 {
-    if (compiled->registers > MOST_REGISTERS || compiled->numbers > MOST_NUMBERS ||
-        compiled->arguments > TINKER_TYPED_MOST_ARGUMENTS)
-        return FALSE;
+    if (!fits(compiled)) return FALSE;
     if (compiled->steps == 0)
         copy_answer(compiled, columns, results);
     else
         run_blocks(compiled, columns, results);
+    return TRUE;
+}
+
+/* A column of few; a call of the C library would take longer. */
+KEEP_LOOPS static gboolean copy_few(const double *column, int count, double *results)
+{
+    for (int i = 0; i < count; i++)
+        results[i] = column[i];
+    return TRUE;
+}
+
+/* As little as can be: nothing is laid out but where all columns are. */
+KEEP_LOOPS gboolean tinker_compiled_row(const TinkerCompiled *compiled, const double *const *arguments,
+                                        const double *numbers, int count, double *results)
+{
+    double own[MOST_REGISTERS][LANES], *entry[TINKER_TYPED_MOST_ARGUMENTS + MOST_NUMBERS + MOST_REGISTERS];
+    double **next = entry;
+    if (!fits(compiled) || count > LANES) return FALSE;
+    for (int i = 0; i < compiled->arguments; i++) {
+        if (arguments[i] == NULL) return FALSE;
+        *next++ = (double *)arguments[i];
+    }
+    for (int i = 0; i < compiled->numbers; i++, numbers += count)
+        *next++ = (double *)numbers;
+    if (compiled->steps == 0) return copy_few(entry[compiled->answer], count, results);
+    for (int i = 0; i < compiled->registers; i++)
+        *next++ = own[i];
+    entry[compiled->answer] = results;
+#if defined(__x86_64__)
+    if (__builtin_cpu_supports("avx2")) {
+        run_block_avx2(compiled, entry, count);
+        return TRUE;
+    }
+#endif
+    run_block_plain(compiled, entry, count);
     return TRUE;
 }

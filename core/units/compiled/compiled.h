@@ -30,6 +30,12 @@ typedef struct {
  * FALSE: the program is too large for that. */
 gboolean tinker_compiled_values(const TinkerCompiled *compiled, const TinkerColumns *columns, double *results);
 
+/* As tinker_compiled_values, of a few places that each have numbers of their own, all of `count` places beside one
+ * another. FALSE: also where there are more than a few, or an argument has no column, or there is nothing to work out.
+ */
+gboolean tinker_compiled_row(const TinkerCompiled *compiled, const double *const *arguments, const double *numbers,
+                             int count, double *results);
+
 /* Encloses the values over a box of arguments, one interval each. TRUE: it is gentle there, so that a few places tell
  * its course. FALSE: something switches, or runs through much of its course, or is nowhere a number. */
 gboolean tinker_compiled_enclose(const TinkerCompiled *compiled, const TinkerInterval *arguments,

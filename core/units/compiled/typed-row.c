@@ -145,10 +145,9 @@ static void ask_one_by_one(const TinkerTypedQuestion *question, int first, int c
 }
 
 /* Answers those from `first` on that can be asked in one way, and says how many they were. */
-static G_NO_INLINE int ask_run(const TinkerTypedQuestion *question, int first, int by, int and_by, double *results)
+static G_NO_INLINE int ask_run(const TinkerTypedQuestion *question, int first, int which, double *results)
 {
     const TinkerTypedLaw *const *laws = question->laws + (gssize)first * question->stride, *law = *laws;
-    const int which = by < 0 ? 0 : and_by < 0 ? 1 + by : 1 + law->count + by * law->count + and_by;
     gboolean one;
     const int count = run_of(question, laws, question->count - first, &one);
     if (!ask_together(question, law, first, count, one, which, results))
@@ -174,8 +173,33 @@ static int next_law(const TinkerTypedQuestion *question, int first)
     return first;
 }
 
-void tinker_typed_ask(const TinkerTypedQuestion *question, int by, int and_by, double *results)
+static G_NO_INLINE void ask_runs(const TinkerTypedQuestion *question, int which, double *results)
 {
     for (int first = next_law(question, 0); first < question->count; first = next_law(question, first))
-        first += ask_run(question, first, by, and_by, results);
+        first += ask_run(question, first, which, results);
+}
+
+/* Whether it is to all of a row, as they are told of: so a batch asks. */
+static inline gboolean is_to_row(const TinkerTypedQuestion *question, const TinkerTypedRow *row)
+{
+    return row != NULL && (const TinkerTypedLaw *const *)row->place == question->laws &&
+           row->stride == question->stride && row->count == question->count;
+}
+
+/* Of few laws, what comes before they are worked out takes as long as that: so there is a short way for what is asked
+ * most, all of a row. */
+void tinker_typed_ask(const TinkerTypedQuestion *question, int by, int and_by, double *results)
+{
+    const TinkerTypedLaw *law = question->laws[0];
+    if (law == NULL) {
+        const int first = next_law(question, 0);
+        if (first >= question->count) return;
+        law = question->laws[(gssize)first * question->stride];
+    }
+    const TinkerTypedRow *row = law->row;
+    const int which = by < 0 ? 0 : and_by < 0 ? 1 + by : 1 + law->count + by * law->count + and_by;
+    if (is_to_row(question, row) &&
+        tinker_compiled_row(program_at(law, which), question->arguments, row->numbers[which], row->count, results))
+        return;
+    ask_runs(question, which, results);
 }
