@@ -333,6 +333,35 @@ static void test_small_picture(CliFixture *fixture, gconstpointer data)
     }
 }
 
+/* As wide as in the window, long names are told from one another wherever they differ: none is cut. */
+static void test_long_names(CliFixture *fixture, gconstpointer data)
+{
+    static const char *const names[] = {"Soft spring from the ceiling", "Soft spRING FRom the ceiling",
+                                        "Soft spring from the CEILINg"};
+    static const char *const verbs[] = {"diagram --block Bob --time 0.5", "books --block Bob --to 0.5"};
+    for (gsize verb = 0; verb < G_N_ELEMENTS(verbs); verb++) {
+        g_autofree char *words = g_strdup_printf("%s @scene.json --size 416x700 -o @d.png", verbs[verb]), *first = NULL;
+        gsize first_length = 0;
+        for (gsize i = 0; i < G_N_ELEMENTS(names); i++) {
+            g_autofree char *scene =
+                g_strdup_printf(SCENE("{\"type\": \"support\", \"name\": \"Pivot\", \"solid\": false},"
+                                      "{\"type\": \"mass\", \"name\": \"Bob\", \"position\": [2, 0]},"
+                                      "{\"type\": \"spring\", \"name\": \"%s\", \"ends\": [\"Pivot\", \"Bob\"]}"),
+                                names[i]);
+            g_autofree char *path = cli_write(fixture, "scene.json", scene), *content = NULL;
+            g_autoptr(TestProgram) drawn = cli_run_well(fixture, words);
+            g_autofree char *file = g_build_filename(fixture->folder, "d.png", NULL);
+            gsize length;
+            g_assert_true(g_file_get_contents(file, &content, &length, NULL));
+            if (i > 0 && length == first_length && memcmp(content, first, length) == 0)
+                g_error("%s: \"%s\" looks as \"%s\" does", verbs[verb], names[i], names[0]);
+            if (i > 0) continue;
+            first = g_steal_pointer(&content);
+            first_length = length;
+        }
+    }
+}
+
 static gsize differences_above_list(cairo_surface_t *one, cairo_surface_t *other)
 {
     const gsize size = (gsize)cairo_image_surface_get_stride(one) * 620;
@@ -441,6 +470,7 @@ int main(int argc, char **argv)
     cli_test_add("/cli/books/diagram", test_diagram);
     cli_test_add("/cli/books/picture", test_picture);
     cli_test_add("/cli/books/small-picture", test_small_picture);
+    cli_test_add("/cli/books/long-names", test_long_names);
     cli_test_add("/cli/books/torque-picture", test_torque_picture);
     cli_test_add("/cli/books/endings", test_endings);
     g_test_add_func("/cli/books/scale", test_scale);

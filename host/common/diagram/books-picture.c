@@ -15,8 +15,8 @@
 #define MOST_ROW   22.0
 #define LEAST_ROW  15.0
 #define BAR        0.62 /* of a row */
-#define NAME_ROOM  0.3  /* of an account's width */
 #define VALUE_ROOM 112.0
+#define LEAST_BARS 90.0 /* that names leave to the bars */
 
 #define NARROW 600.0 /* canvas units: below it accounts stand in one column */
 
@@ -41,6 +41,7 @@ typedef struct {
     const TinkerBooksPicture *picture;
     cairo_t *cairo;
     TinkerTextPen pen;
+    double name_room; /* canvas units: of all accounts, so that their bars begin alike */
 } Drawing;
 
 static void entry_clear(gpointer data)
@@ -225,7 +226,7 @@ static void draw_entries(Drawing *drawing, const Account *account, const double 
 {
     double range[2];
     g_autofree double *bars = bars_of(account, range);
-    const double width = place[2] - place[0], from = place[0] + NAME_ROOM * width, to = place[2] - VALUE_ROOM;
+    const double from = place[0] + drawing->name_room, to = place[2] - VALUE_ROOM;
     const double unit = range[1] > range[0] ? (to - from) / (range[1] - range[0]) : 0;
     const double zero = from - unit * range[0];
     draw_step(drawing, zero, place[1], row * account->entries->len);
@@ -241,7 +242,8 @@ static void draw_entries(Drawing *drawing, const Account *account, const double 
                    (TinkerText){.text = entry->name,
                                 .size = TEXT,
                                 .bold = entry->total,
-                                .limit = NAME_ROOM * width - EDGE / 2,
+                                .limit = fmax(drawing->name_room - EDGE / 2, 1),
+                                .keeps_end = TRUE,
                                 .anchor_y = 0.5},
                    place[0], y);
         write_text(drawing,
@@ -268,6 +270,24 @@ static void draw_account(Drawing *drawing, Which which, const double place[4])
     g_array_unref(account.entries);
 }
 
+/* As much as the longest name takes, as long as bars and values have theirs. */
+static double name_room_of(Drawing *drawing, double width)
+{
+    double longest = 0, height, each;
+    for (int which = 0; which < ACCOUNTS; which++) {
+        Account account = account_of(drawing->picture, (Which)which);
+        for (guint i = 0; i < account.entries->len; i++) {
+            const Entry *entry = &g_array_index(account.entries, Entry, i);
+            const TinkerText name = {.text = entry->name, .size = TEXT, .bold = entry->total};
+            tinker_text_measure(&drawing->pen, &name, &each, &height);
+            longest = fmax(longest, each);
+        }
+        g_free(account.title);
+        g_array_unref(account.entries);
+    }
+    return fmin(longest + EDGE, fmax(width - VALUE_ROOM - LEAST_BARS, width / 4));
+}
+
 static char *title_of(const Drawing *drawing)
 {
     static const TinkerDimension seconds = TINKER_DIMENSION_TIME;
@@ -287,6 +307,7 @@ void tinker_books_draw(cairo_t *cairo, double width, double height, void *data)
     const int columns = width < NARROW ? 1 : 2;
     const double top = 2 * EDGE + TITLE, column = (width - 2 * EDGE * columns) / columns,
                  line = (height - top) * columns / ACCOUNTS;
+    drawing.name_room = name_room_of(&drawing, column);
     set_colour(&drawing, drawing.picture->theme->background, 1);
     cairo_paint(cairo);
     g_autofree char *title = title_of(&drawing);

@@ -8,6 +8,8 @@
 #define MOST_ROWS 10
 #define NARROW    560.0 /* canvas units: below it partners are left out, */
 #define NARROWEST 330.0 /* and below this what is along x and y */
+#define INDENT    14.0  /* of names, behind the colour of their arrow */
+#define GAP       8.0   /* from a name to what stands behind it */
 
 /* The list -----------------------------------------------------------------------------------------------------------
  */
@@ -18,7 +20,8 @@ typedef struct {
     const double *colour; /* NULL: none */
     char *texts[COLUMNS];
     gboolean bold;
-    int lines; /* that it may take; 0 is one */
+    int lines;   /* that it may take; 0 is one */
+    double room; /* canvas units: for its name */
 } ListRow;
 
 static void list_row_clear(gpointer data)
@@ -95,8 +98,32 @@ typedef struct {
     gboolean notes;
 } ListChoice;
 
+/* Where columns end, for numbers, or begin; below 0 for those that are left out. */
+static const double *ends_of(double width)
+{
+    static const double wide[COLUMNS] = {0, 0.46, 0.58, 0.7, 0.72}, narrow[COLUMNS] = {0, 0.6, 0.8, 0.98, -1},
+                        narrowest[COLUMNS] = {0, -1, -1, 0.95, -1};
+    return width < NARROWEST ? narrowest : width < NARROW ? narrow : wide;
+}
+
+/* A name has the room up to the first number of its row, and two lines where it is longer. */
+static void fit_names(DiagramDrawing *drawing, GArray *rows, double width)
+{
+    const double *ends = ends_of(width);
+    for (guint i = 0; i < rows->len; i++) {
+        ListRow *row = &g_array_index(rows, ListRow, i);
+        double end = width;
+        if (row->texts[ALONG_X] == NULL) continue; /* a note */
+        for (int k = ALONG_X; k <= SIZE; k++)
+            if (ends[k] >= 0 && row->texts[k][0] != '\0')
+                end = fmin(end, ends[k] * width - diagram_text_width(drawing, row->texts[k], row->bold));
+        row->room = fmax(end - DIAGRAM_EDGE - INDENT - GAP, 1);
+        row->lines = diagram_text_width(drawing, row->texts[NAME], row->bold) > row->room ? 2 : 1;
+    }
+}
+
 /* A head, the forces, what they make, and notes in the first column. (transfer full) */
-static GArray *list_of(const DiagramDrawing *drawing, double width, ListChoice choice)
+static GArray *list_of(DiagramDrawing *drawing, double width, ListChoice choice)
 {
     const guint most = choice.most;
     const TinkerTheme *theme = drawing->picture->theme;
@@ -128,6 +155,7 @@ static GArray *list_of(const DiagramDrawing *drawing, double width, ListChoice c
         const ListRow note = {NULL, {g_strdup(g_ptr_array_index(notes, i))}, FALSE, width < NARROWEST ? 2 : 1};
         g_array_append_val(rows, note);
     }
+    fit_names(drawing, rows, width);
     return rows;
 }
 
@@ -139,18 +167,10 @@ static double height_of(const GArray *rows)
     return height;
 }
 
-double diagram_list_height(const DiagramDrawing *drawing, double width)
+double diagram_list_height(DiagramDrawing *drawing, double width)
 {
     g_autoptr(GArray) rows = list_of(drawing, width, (ListChoice){MOST_ROWS, TRUE});
     return height_of(rows);
-}
-
-/* Where columns end, for numbers, or begin; below 0 for those that are left out. */
-static const double *ends_of(double width)
-{
-    static const double wide[COLUMNS] = {0, 0.46, 0.58, 0.7, 0.72}, narrow[COLUMNS] = {0, 0.6, 0.8, 0.98, -1},
-                        narrowest[COLUMNS] = {0, -1, -1, 0.95, -1};
-    return width < NARROWEST ? narrowest : width < NARROW ? narrow : wide;
 }
 
 static void draw_row(DiagramDrawing *drawing, const ListRow *row, double width, double y)
@@ -166,19 +186,19 @@ static void draw_row(DiagramDrawing *drawing, const ListRow *row, double width, 
         const gboolean number = k >= ALONG_X && k <= SIZE;
         if (row->texts[k] == NULL || ends[k] < 0) continue;
         const double limit = whole          ? width - 2 * DIAGRAM_EDGE
-                             : k == NAME    ? (width < NARROWEST ? 0.55 : 0.3) * width
+                             : k == NAME    ? row->room
                              : k == PARTNER ? 0.28 * width - DIAGRAM_EDGE
                                             : 0;
         diagram_write(drawing,
                       (TinkerText){.text = row->texts[k],
                                    .size = DIAGRAM_TEXT,
                                    .bold = row->bold,
-                                   .keeps_end = !whole && k == NAME,
+                                   .keeps_end = k == PARTNER,
                                    .limit = fmax(limit, 0),
-                                   .lines = row->lines,
+                                   .lines = whole || k == NAME ? row->lines : 1,
                                    .anchor_x = number,
                                    .anchor_y = 0.5},
-                      k == NAME ? DIAGRAM_EDGE + (whole ? 0 : 14) : ends[k] * width, y);
+                      k == NAME ? DIAGRAM_EDGE + (whole ? 0 : INDENT) : ends[k] * width, y);
     }
 }
 

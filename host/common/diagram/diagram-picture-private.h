@@ -53,11 +53,13 @@ GPtrArray *diagram_notes(const DiagramDrawing *drawing);
 
 /* In the theme's colour of text. */
 void diagram_write(DiagramDrawing *drawing, TinkerText text, double x, double y);
+/* Canvas units: of what is written in DIAGRAM_TEXT. */
+double diagram_text_width(DiagramDrawing *drawing, const char *text, gboolean bold);
 void diagram_set_colour(cairo_t *cairo, const double colour[4]);
 
 /* The forces in numbers, what they make, and notes: how high they are, and drawn into a box, least and greatest x and
  * y, as far as there is room. */
-double diagram_list_height(const DiagramDrawing *drawing, double width);
+double diagram_list_height(DiagramDrawing *drawing, double width);
 void diagram_draw_list(DiagramDrawing *drawing, const double place[4]);
 
 #endif

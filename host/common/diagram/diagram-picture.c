@@ -291,10 +291,11 @@ static void draw_torques(const Part *part, const Turns *turns, gboolean kinetic)
         g_autofree char *number = g_strdup_printf("%u", drawing->forces->len + i + 1);
         const char *name = drawing->numbered ? number : tinker_scene_block_name(drawing->scene, torque->from);
         g_autofree char *text = turn_label_of(drawing, name, torque->torque);
-        const TinkerText label = {.text = text,
-                                  .keeps_end = TRUE,
-                                  .size = DIAGRAM_TEXT,
-                                  .limit = fmax(turns->labels[2] - turns->labels[0] - TURN_HEAD, 1)};
+        const double room = fmax(turns->labels[2] - turns->labels[0] - TURN_HEAD, 1);
+        const gboolean fits = diagram_text_width(drawing, text, FALSE) <= room;
+        /* a value is not cut: the list tells what the number is */
+        const TinkerText label = {
+            .text = fits || !drawing->numbered ? text : number, .keeps_end = TRUE, .size = DIAGRAM_TEXT, .limit = room};
         draw_turn(drawing->cairo, turns->at, turns->least + TURN_STEP * i, torque->torque,
                   tinker_arrow_colour(theme, diagram_arrow_kind(torque->kind)));
         diagram_write(drawing, label, turns->labels[0] + 0.5 * TURN_HEAD, turns->labels[1] + DIAGRAM_ROW * i);

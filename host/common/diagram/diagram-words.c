@@ -80,6 +80,14 @@ void diagram_set_colour(cairo_t *cairo, const double colour[4])
     cairo_set_source_rgba(cairo, colour[0], colour[1], colour[2], colour[3]);
 }
 
+double diagram_text_width(DiagramDrawing *drawing, const char *text, gboolean bold)
+{
+    const TinkerText written = {.text = text, .size = DIAGRAM_TEXT, .bold = bold};
+    double width, height;
+    tinker_text_measure(&drawing->pen, &written, &width, &height);
+    return width;
+}
+
 void diagram_write(DiagramDrawing *drawing, TinkerText text, double x, double y)
 {
     diagram_set_colour(drawing->cairo, drawing->picture->theme->colours[TINKER_COLOUR_TEXT]);
