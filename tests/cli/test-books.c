@@ -392,6 +392,31 @@ static void test_torque_picture(CliFixture *fixture, gconstpointer data)
         cairo_surface_destroy(pictures[i]);
 }
 
+/* Beside a torque's arrow its name is cut, never its value: 21.63 N m is not 41.63. */
+static void test_torque_value(CliFixture *fixture, gconstpointer data)
+{
+    static const char *const amplitudes[] = {"21.63", "41.63"};
+    cairo_surface_t *pictures[G_N_ELEMENTS(amplitudes)];
+    gsize differences = 0;
+    for (gsize i = 0; i < G_N_ELEMENTS(amplitudes); i++) {
+        g_autofree char *torque =
+            g_strdup_printf(SCENE("{\"type\": \"disc\", \"name\": \"Bob\"}, {\"type\": \"torque\", \"name\": "
+                                  "\"Torque of the second motor\", \"ends\": [\"Bob\"], \"amplitude\": %s}"),
+                            amplitudes[i]);
+        g_autofree char *path = cli_write(fixture, "scene.json", torque);
+        pictures[i] = draw_diagram(fixture, "0", "640x470");
+    }
+    const int stride = cairo_image_surface_get_stride(pictures[0]);
+    const unsigned char *one = cairo_image_surface_get_data(pictures[0]),
+                        *two = cairo_image_surface_get_data(pictures[1]);
+    for (int y = 0; y < 300; y++) /* above the list, and left of the kinetic diagram */
+        for (int x = 0; x < 4 * 320; x++)
+            differences += one[y * stride + x] != two[y * stride + x];
+    g_assert_cmpuint(differences, >, 20);
+    for (gsize i = 0; i < G_N_ELEMENTS(amplitudes); i++)
+        cairo_surface_destroy(pictures[i]);
+}
+
 /* A picture's name never holds a text, nor a text's a picture. */
 static void test_endings(CliFixture *fixture, gconstpointer data)
 {
@@ -472,6 +497,7 @@ int main(int argc, char **argv)
     cli_test_add("/cli/books/small-picture", test_small_picture);
     cli_test_add("/cli/books/long-names", test_long_names);
     cli_test_add("/cli/books/torque-picture", test_torque_picture);
+    cli_test_add("/cli/books/torque-value", test_torque_value);
     cli_test_add("/cli/books/endings", test_endings);
     g_test_add_func("/cli/books/scale", test_scale);
     return g_test_run();

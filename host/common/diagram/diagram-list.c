@@ -101,12 +101,18 @@ typedef struct {
 /* Where columns end, for numbers, or begin; below 0 for those that are left out. */
 static const double *ends_of(double width)
 {
-    static const double wide[COLUMNS] = {0, 0.46, 0.58, 0.7, 0.72}, narrow[COLUMNS] = {0, 0.6, 0.8, 0.98, -1},
+    static const double wide[COLUMNS] = {0, 0.43, 0.565, 0.7, 0.72}, narrow[COLUMNS] = {0, 0.6, 0.8, 0.98, -1},
                         narrowest[COLUMNS] = {0, -1, -1, 0.95, -1};
     return width < NARROWEST ? narrowest : width < NARROW ? narrow : wide;
 }
 
-/* A name has the room up to the first number of its row, and two lines where it is longer. */
+/* Canvas units: of the column of partners. */
+static double partner_room(double width)
+{
+    return 0.28 * width - DIAGRAM_EDGE;
+}
+
+/* A name has the room up to the first number of its row; it, and a partner, have two lines where they are longer. */
 static void fit_names(DiagramDrawing *drawing, GArray *rows, double width)
 {
     const double *ends = ends_of(width);
@@ -118,7 +124,10 @@ static void fit_names(DiagramDrawing *drawing, GArray *rows, double width)
             if (ends[k] >= 0 && row->texts[k][0] != '\0')
                 end = fmin(end, ends[k] * width - diagram_text_width(drawing, row->texts[k], row->bold));
         row->room = fmax(end - DIAGRAM_EDGE - INDENT - GAP, 1);
-        row->lines = diagram_text_width(drawing, row->texts[NAME], row->bold) > row->room ? 2 : 1;
+        const gboolean long_partner =
+            ends[PARTNER] >= 0 && diagram_text_width(drawing, row->texts[PARTNER], row->bold) > partner_room(width);
+        const gboolean long_name = diagram_text_width(drawing, row->texts[NAME], row->bold) > row->room;
+        row->lines = long_name || long_partner ? 2 : 1;
     }
 }
 
@@ -187,15 +196,14 @@ static void draw_row(DiagramDrawing *drawing, const ListRow *row, double width, 
         if (row->texts[k] == NULL || ends[k] < 0) continue;
         const double limit = whole          ? width - 2 * DIAGRAM_EDGE
                              : k == NAME    ? row->room
-                             : k == PARTNER ? 0.28 * width - DIAGRAM_EDGE
+                             : k == PARTNER ? partner_room(width)
                                             : 0;
         diagram_write(drawing,
                       (TinkerText){.text = row->texts[k],
                                    .size = DIAGRAM_TEXT,
                                    .bold = row->bold,
-                                   .keeps_end = k == PARTNER,
                                    .limit = fmax(limit, 0),
-                                   .lines = whole || k == NAME ? row->lines : 1,
+                                   .lines = number ? 1 : row->lines,
                                    .anchor_x = number,
                                    .anchor_y = 0.5},
                       k == NAME ? DIAGRAM_EDGE + (whole ? 0 : INDENT) : ends[k] * width, y);

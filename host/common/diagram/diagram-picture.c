@@ -251,6 +251,22 @@ static char *turn_label_of(const DiagramDrawing *drawing, const char *name, doub
     return g_strdup_printf("%s  %s", name, value);
 }
 
+#define LEAST_NAME 3 /* letters that are left of a name that is cut */
+
+/* The same in so much room: of what is too long the name is cut, never the value. With numbers the list has it. */
+static char *turn_label_in(DiagramDrawing *drawing, const char *name, double torque, double room)
+{
+    char *label = turn_label_of(drawing, name, torque);
+    for (glong letters = g_utf8_strlen(name, -1) - 1; diagram_text_width(drawing, label, FALSE) > room; letters--) {
+        g_free(label);
+        if (drawing->numbered) return g_strdup(name);
+        if (letters < LEAST_NAME) return diagram_torque_text(drawing, fabs(torque));
+        g_autofree char *begin = g_utf8_substring(name, 0, letters), *cut = g_strconcat(begin, "…", NULL);
+        label = turn_label_of(drawing, cut, torque);
+    }
+    return label;
+}
+
 /* Where they stand: the middle of the body, the radius of the innermost, and the box that their labels take. */
 typedef struct {
     double at[2], least, labels[4];
@@ -265,11 +281,14 @@ static Turns turns_of(const Part *part, gboolean kinetic)
                             : diagram_has_turning(diagram) ? 1
                                                            : 0};
     tinker_view_to_canvas(part->view, diagram->centre[0], diagram->centre[1], &turns.at[0], &turns.at[1]);
-    const double half = 0.5 * DIAGRAM_ROW * turns.count;
+    const double half = 0.5 * DIAGRAM_ROW * turns.count, least = turns.least;
     const double half_label = (part->drawing->brief ? 1 : 3) * DIAGRAM_ROW;
-    const double beside = turns.at[0] + turns.least + TURN_STEP * turns.count, below = turns.at[1] + turns.least;
+    const double beside = turns.at[0] + least + TURN_STEP * turns.count;
+    /* below, where the arc is open, or above where the resultant points there */
+    const double above = turns.at[1] - least - 1.5 * DIAGRAM_ROW;
+    const double y = diagram->kinetic[1] < 0 && above > HEADING ? above : turns.at[1] + least;
     const double boxes[2][4] = {{beside, turns.at[1] - half, part->view->width, turns.at[1] + half},
-                                {turns.at[0] - half_label, below, turns.at[0] + half_label, below + DIAGRAM_ROW}};
+                                {turns.at[0] - half_label, y, turns.at[0] + half_label, y + DIAGRAM_ROW}};
     if (turns.count > 0) memcpy(turns.labels, boxes[kinetic], sizeof turns.labels);
     return turns;
 }
@@ -290,12 +309,9 @@ static void draw_torques(const Part *part, const Turns *turns, gboolean kinetic)
         const TinkerDiagramForce *torque = &g_array_index(drawing->torques, TinkerDiagramForce, i);
         g_autofree char *number = g_strdup_printf("%u", drawing->forces->len + i + 1);
         const char *name = drawing->numbered ? number : tinker_scene_block_name(drawing->scene, torque->from);
-        g_autofree char *text = turn_label_of(drawing, name, torque->torque);
         const double room = fmax(turns->labels[2] - turns->labels[0] - TURN_HEAD, 1);
-        const gboolean fits = diagram_text_width(drawing, text, FALSE) <= room;
-        /* a value is not cut: the list tells what the number is */
-        const TinkerText label = {
-            .text = fits || !drawing->numbered ? text : number, .keeps_end = TRUE, .size = DIAGRAM_TEXT, .limit = room};
+        g_autofree char *text = turn_label_in(drawing, name, torque->torque, room);
+        const TinkerText label = {.text = text, .size = DIAGRAM_TEXT};
         draw_turn(drawing->cairo, turns->at, turns->least + TURN_STEP * i, torque->torque,
                   tinker_arrow_colour(theme, diagram_arrow_kind(torque->kind)));
         diagram_write(drawing, label, turns->labels[0] + 0.5 * TURN_HEAD, turns->labels[1] + DIAGRAM_ROW * i);
@@ -316,6 +332,9 @@ static void draw_part(DiagramDrawing *drawing, const double place[4], const char
     double taken[2][4] = {{0, 0, width, HEADING}};
     memcpy(taken[1], turns.labels, sizeof taken[1]);
     g_autoptr(GArray) drawn = drawn_boxes(drawing, &view);
+    const double reach = turns.least + TURN_STEP * turns.count;
+    const double arcs[] = {turns.at[0] - reach, turns.at[1] - reach, turns.at[0] + reach, turns.at[1] + reach};
+    if (turns.count > 0) g_array_append_vals(drawn, arcs, 1);
     const TinkerArrowOptions options = {.theme = drawing->picture->theme,
                                         .scale = 1,
                                         .taken = (const double(*)[4])taken,
