@@ -301,18 +301,27 @@ static char *title_of(const Drawing *drawing)
     return g_strdup_printf(_("Books of %s, from %s to %s"), names->str, from, to);
 }
 
+/* Names and the interval, in two lines where one is too short; answers how high it is. */
+static double draw_title(Drawing *drawing, double width)
+{
+    g_autofree char *title = title_of(drawing);
+    const TinkerText text = {
+        .text = title, .size = TITLE, .bold = TRUE, .limit = fmax(width - 2 * EDGE, 1), .lines = 2};
+    double across, height;
+    tinker_text_measure(&drawing->pen, &text, &across, &height);
+    write_text(drawing, text, EDGE, EDGE / 2);
+    return fmax(height, TITLE);
+}
+
 void tinker_books_draw(cairo_t *cairo, double width, double height, void *data)
 {
     Drawing drawing = {.picture = data, .cairo = cairo, .pen = TINKER_TEXT_PEN_INIT};
     const int columns = width < NARROW ? 1 : 2;
-    const double top = 2 * EDGE + TITLE, column = (width - 2 * EDGE * columns) / columns,
-                 line = (height - top) * columns / ACCOUNTS;
-    drawing.name_room = name_room_of(&drawing, column);
     set_colour(&drawing, drawing.picture->theme->background, 1);
     cairo_paint(cairo);
-    g_autofree char *title = title_of(&drawing);
-    write_text(&drawing, (TinkerText){.text = title, .size = TITLE, .bold = TRUE, .limit = fmax(width - 2 * EDGE, 1)},
-               EDGE, EDGE / 2);
+    const double top = 1.5 * EDGE + draw_title(&drawing, width), column = (width - 2 * EDGE * columns) / columns,
+                 line = (height - top) * columns / ACCOUNTS;
+    drawing.name_room = name_room_of(&drawing, column);
     for (int which = 0; which < ACCOUNTS; which++) {
         const double left = EDGE + (which % columns) * (column + 2 * EDGE), above = top + (which / columns) * line;
         draw_account(&drawing, (Which)which, (double[]){left, above, left + column, above + line - EDGE / 2});

@@ -273,6 +273,19 @@ typedef struct {
     guint count;
 } Turns;
 
+/* How far (canvas units, downwards) labels at the right of the arcs make way for a force that points there: one that is
+ * steeper than FLAT passes them by. */
+#define FLAT 0.6
+static double way_of(const DiagramDrawing *drawing, double half)
+{
+    for (guint i = 0; i < drawing->forces->len; i++) {
+        const double *force = g_array_index(drawing->forces, TinkerDiagramForce, i).force;
+        if (force[0] > 0 && fabs(force[1]) < FLAT * force[0])
+            return (force[1] > 0 ? 1 : -1) * (half + 0.6 * DIAGRAM_ROW);
+    }
+    return 0;
+}
+
 static Turns turns_of(const Part *part, gboolean kinetic)
 {
     const TinkerDiagram *diagram = part->drawing->picture->diagram;
@@ -284,10 +297,11 @@ static Turns turns_of(const Part *part, gboolean kinetic)
     const double half = 0.5 * DIAGRAM_ROW * turns.count, least = turns.least;
     const double half_label = (part->drawing->brief ? 1 : 3) * DIAGRAM_ROW;
     const double beside = turns.at[0] + least + TURN_STEP * turns.count;
+    const double middle = turns.at[1] + way_of(part->drawing, half);
     /* below, where the arc is open, or above where the resultant points there */
     const double above = turns.at[1] - least - 1.5 * DIAGRAM_ROW;
     const double y = diagram->kinetic[1] < 0 && above > HEADING ? above : turns.at[1] + least;
-    const double boxes[2][4] = {{beside, turns.at[1] - half, part->view->width, turns.at[1] + half},
+    const double boxes[2][4] = {{beside, middle - half, part->view->width, middle + half},
                                 {turns.at[0] - half_label, y, turns.at[0] + half_label, y + DIAGRAM_ROW}};
     if (turns.count > 0) memcpy(turns.labels, boxes[kinetic], sizeof turns.labels);
     return turns;
