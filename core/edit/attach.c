@@ -6,7 +6,6 @@
 #include "edit/edit-private.h"
 
 #define MOST_PLACES 3    /* of a body that ends are drawn to */
-#define LONG        3    /* times as long as high: what is joined at its ends */
 #define SAME_PLACE  1e-9 /* m: of two places that are one */
 
 static const TinkerBody *body_of(TinkerScene *scene, TinkerBlockId block)
@@ -52,14 +51,6 @@ void edit_own_place(TinkerFrame *frame, TinkerBlockId target, const double place
 gboolean edit_keeps_places(TinkerScene *scene, TinkerBlockId target)
 {
     return freedoms_of(scene, target) == 3;
-}
-
-gboolean tinker_is_joint(TinkerScene *scene, TinkerBlockId block)
-{
-    const TinkerBlockClass *block_class = tinker_scene_block_class(scene, block);
-    const TinkerConstraint *constraint =
-        block_class != NULL && block_class->physics != NULL ? block_class->physics->constraint : NULL;
-    return constraint != NULL && constraint->joint != 0 && tinker_scene_end_count(scene, block) == 2;
 }
 
 /* Where a joint that is dropped near `place` goes: a point mass has its centre alone. */
@@ -205,8 +196,7 @@ int32_t tinker_joint_put_on(TinkerHistory *history, TinkerScene *scene, TinkerBl
     if (frame == NULL) return 0;
     double marked[MOST_PLACES][2], own[2];
     const int32_t count = marked_places(frame, block, marked);
-    const double height = tinker_frame_meaning(frame, block, TINKER_MEANING_HEIGHT, 0, 0);
-    const gboolean is_long = count == MOST_PLACES && 2 * marked[1][0] > LONG * height;
+    const gboolean is_long = edit_has_ends(frame, block);
     JointPlace best = {.met = TINKER_NO_BLOCK};
     gboolean found = FALSE;
     for (int32_t i = 1; is_long && i < count; i++) {

@@ -249,6 +249,10 @@ void tinker_drag_end(TinkerDrag *drag, gboolean at_point, double reach)
         if (drag->target != TINKER_NO_BLOCK) connect_end(drag, at_point);
         if (drag->hit.part == TINKER_PART_WHOLE && reach > 0)
             tinker_snap_onto_top(drag->history, drag->scene, drag->hit.block, reach);
+        if (edit_sizes(drag->hit) && reach > 0) {
+            const double place[2] = {drag->pointer[0] + drag->grip[0], drag->pointer[1] + drag->grip[1]};
+            tinker_snap_end_onto_top(drag->history, drag->scene, drag->hit.block, place, reach);
+        }
         tinker_history_end(drag->history);
     }
     g_free(drag);

@@ -22,8 +22,9 @@ gboolean tinker_is_at_one_place(TinkerFrame *frame, TinkerBlockId connector);
 
 /* What a drag takes hold of that begins at a point where this was hit: of a connector whose ends are all attached,
  * which cannot be moved itself, the topmost body under the point that can, those that it is on before others; with its
- * ends at one place, as of a drive at its bearing, else the first body of its ends that can. Everything else is taken
- * hold of itself. */
+ * ends at one place, as of a drive at its bearing, else the first body of its ends that can; of a long body that a
+ * joint is on, not the handle that would size it but the whole, which is moved by its end then. Everything else is
+ * taken hold of itself. */
 TinkerHit tinker_hit_to_drag(TinkerFrame *frame, TinkerHit hit, double x, double y, double reach);
 
 /* The connectable block under the point that the end of this block's type would accept, or TINKER_NO_BLOCK. */
@@ -67,6 +68,13 @@ void tinker_snap(double grid, double *x, double *y);
  * top. Answers whether it is on one then. */
 gboolean tinker_snap_onto_top(TinkerHistory *history, TinkerScene *scene, TinkerBlockId body, double reach);
 
+/* Leans a long body that turns, and that nothing is attached to, with the end of it that is nearer to a place (m) on
+ * the solid top that this end is at, less than `reach` (m) and half its own height off: a corner of the end touches it
+ * then, and so does its other end where that was at a top already, as a ladder's on a floor and a wall. Its length
+ * gives way. Answers whether it is. */
+gboolean tinker_snap_end_onto_top(TinkerHistory *history, TinkerScene *scene, TinkerBlockId body, const double place[2],
+                                  double reach);
+
 /* One drag, from press to release; one undo step. */
 typedef struct _TinkerDrag TinkerDrag;
 
@@ -83,7 +91,8 @@ TinkerBlockId tinker_drag_to(TinkerDrag *drag, double x, double y, double grid, 
 /* Releases: a connector's end over a block that it accepts is connected to its centre, or, where `at_point` is set and
  * the block is not a point mass, to the point under it; on a body that turns always to that, or to its centre or an end
  * of it that is near; a body is put onto the top that it is dropped on, see
- * tinker_snap_onto_top (`reach` of 0: it is not). Frees the drag. */
+ * tinker_snap_onto_top, and the end of a long one by which it was sized onto the top there, see
+ * tinker_snap_end_onto_top (`reach` of 0: it is not). Frees the drag. */
 void tinker_drag_end(TinkerDrag *drag, gboolean at_point, double reach);
 
 /* Takes everything back. Frees the drag. */

@@ -21,6 +21,10 @@ int32_t edit_hit(const TinkerBlockClass *block_class, const TinkerInstance *inst
 int32_t edit_handles(const TinkerBlockClass *block_class, const TinkerInstance *instance, TinkerHandle *handles,
                      int32_t room);
 
+/* Whether this is a handle that gives a block another size: of a body one that neither turns it nor moves its local
+ * origin. */
+gboolean edit_sizes(TinkerHit hit);
+
 /* The blocks under a point that the ends of this connector's type would accept, from the top of the picture down; at
  * most `room`. */
 int32_t edit_hit_connectables(TinkerFrame *frame, TinkerBlockId connector, double x, double y, double reach,
@@ -28,6 +32,13 @@ int32_t edit_hit_connectables(TinkerFrame *frame, TinkerBlockId connector, doubl
 
 /* Whether an end that is dropped on this body stays at its place, without being asked to. */
 gboolean edit_keeps_places(TinkerScene *scene, TinkerBlockId target);
+
+/* Whether a body turns and is so long that it is held and joined by its ends, as a bar is. */
+gboolean edit_has_ends(const TinkerFrame *frame, TinkerBlockId body);
+
+/* Whether a block, or a joint, has an end on this one. */
+gboolean edit_is_attached(const TinkerScene *scene, TinkerBlockId body);
+gboolean edit_is_jointed(TinkerScene *scene, TinkerBlockId body);
 
 /* A place in the axes of a block, from its centre; on a body that turns its centre or an end of it within `reach`. */
 void edit_own_place(TinkerFrame *frame, TinkerBlockId target, const double place[2], double reach, double own[2]);

@@ -35,6 +35,12 @@ TinkerHit tinker_hit(TinkerFrame *frame, double x, double y, double reach, Tinke
     return whole;
 }
 
+gboolean edit_sizes(TinkerHit hit)
+{
+    return hit.block != TINKER_NO_BLOCK && hit.part >= TINKER_PART_HANDLE && hit.part < TINKER_PART_POINT &&
+           hit.part != TINKER_HANDLE_ROTATION && hit.part != TINKER_HANDLE_LOCAL_ORIGIN;
+}
+
 static gboolean is_body(const TinkerBlockClass *block_class)
 {
     return block_class != NULL && block_class->physics != NULL && block_class->physics->body != NULL;
@@ -127,6 +133,8 @@ static TinkerBlockId first_of_ends(TinkerScene *scene, TinkerBlockId connector)
 TinkerHit tinker_hit_to_drag(TinkerFrame *frame, TinkerHit hit, double x, double y, double reach)
 {
     TinkerInstance instance;
+    if (edit_sizes(hit) && edit_has_ends(frame, hit.block) && edit_is_jointed(tinker_frame_scene(frame), hit.block))
+        return (TinkerHit){hit.block, TINKER_PART_WHOLE};
     if (hit.block == TINKER_NO_BLOCK || hit.part != TINKER_PART_WHOLE ||
         !tinker_frame_instance(frame, hit.block, &instance) || !all_attached(&instance, INFINITY))
         return hit;

@@ -1,8 +1,11 @@
 /* Snapping: to a square grid through the world's origin, and of bodies onto tops. */
 #include <math.h>
 
-#include "edit/drag.h"
+#include "edit/edit-private.h"
+#include "scene/frame/overlaps.h"
 #include "scene/frame/tops.h"
+
+#define LEAN_ROUNDS 100 /* each brings the ends nearer to their tops by at least the ratio of length to width */
 
 static double snapped(double grid, double value)
 {
@@ -30,17 +33,6 @@ static gboolean is_dropped_on(const TinkerFrame *frame, const TinkerTop *top, Ti
     return fabs(*along) <= top->half_width && gap < reach && gap > -fmax(half, reach);
 }
 
-/* Whether anything is attached to the body: a place of its own is not to be taken from what holds it. */
-static gboolean is_attached(const TinkerScene *scene, TinkerBlockId body)
-{
-    for (int32_t i = 0; i < tinker_scene_block_count(scene); i++) {
-        const TinkerBlockId block = tinker_scene_block_at(scene, i);
-        for (int32_t e = 0; e < tinker_scene_end_count(scene, block); e++)
-            if (tinker_scene_end(scene, block, e).block == body) return TRUE;
-    }
-    return FALSE;
-}
-
 /* Puts a body that turns onto the top, with a side on it. */
 static gboolean stand_on(TinkerHistory *history, TinkerFrame *frame, const TinkerTop *top, TinkerBlockId body,
                          double along)
@@ -58,7 +50,7 @@ gboolean tinker_snap_onto_top(TinkerHistory *history, TinkerScene *scene, Tinker
     g_autoptr(TinkerFrame) frame = tinker_frame_new(scene, NULL);
     if (frame == NULL) return FALSE;
     const gboolean lies = tinker_class_can_lie(tinker_scene_block_class(scene, body));
-    if (!lies && (!tinker_body_can_stand(frame, body) || is_attached(scene, body))) return FALSE;
+    if (!lies && (!tinker_body_can_stand(frame, body) || edit_is_attached(scene, body))) return FALSE;
     double along;
     const TinkerTop top = tinker_top_nearest(frame, body);
     if (!is_dropped_on(frame, &top, body, reach, &along)) return FALSE;
@@ -66,4 +58,63 @@ gboolean tinker_snap_onto_top(TinkerHistory *history, TinkerScene *scene, Tinker
     if (!lies) return stand_on(history, frame, &top, body, along);
     g_clear_pointer(&frame, tinker_frame_free); /* it must not outlive the scene as it is */
     return tinker_history_lay_on(history, body, top.plate, along, NULL);
+}
+
+/* Leaning --------------------------------------------------------------------------------------------------------- */
+
+/* The ends of a bar's axis, and the tops that they are put on. */
+typedef struct {
+    double end[2][2]; /* m: that at -x of its own axes, and that at +x */
+    TinkerTop top[2]; /* `plate` is TINKER_NO_BLOCK: the end stays where it is */
+    double half_height;
+} Leaning;
+
+/* Moves each end to where a corner of it is on its top. How high that is above the axis depends on how the bar is
+ * turned, and so on the other end: each in turn, until both are there. */
+static void lean_on(Leaning *leaning)
+{
+    for (int round = 0; round < LEAN_ROUNDS; round++)
+        for (int e = 0; e < 2; e++) {
+            const TinkerTop *top = &leaning->top[e];
+            double *a = leaning->end[0], *b = leaning->end[1], *end = leaning->end[e];
+            const double dx = b[0] - a[0], dy = b[1] - a[1];
+            if (top->plate == TINKER_NO_BLOCK || hypot(dx, dy) == 0) continue;
+            const double along = fabs(dx * top->along[0] + dy * top->along[1]) / hypot(dx, dy);
+            const double rise = leaning->half_height * along - tinker_top_height(top, end);
+            end[0] += rise * top->normal[0];
+            end[1] += rise * top->normal[1];
+        }
+}
+
+/* What the ends lie at: that which was dragged within `reach` of it, the other one where it was put before. */
+static gboolean find_tops(const TinkerFrame *frame, Leaning *leaning, TinkerBlockId body, int dragged, double reach)
+{
+    const double half = 0.5 * tinker_frame_meaning(frame, body, TINKER_MEANING_WIDTH, 0, 0);
+    leaning->half_height = 0.5 * tinker_frame_meaning(frame, body, TINKER_MEANING_HEIGHT, 0, 0);
+    for (int e = 0; e < 2; e++) {
+        const double own[2] = {e == 0 ? -half : half, 0};
+        tinker_frame_to_world(frame, body, own, leaning->end[e]);
+        const double within = leaning->half_height + (e == dragged ? reach : TINKER_TOUCHING);
+        leaning->top[e] = tinker_top_at(frame, leaning->end[e], within);
+    }
+    return leaning->top[dragged].plate != TINKER_NO_BLOCK;
+}
+
+gboolean tinker_snap_end_onto_top(TinkerHistory *history, TinkerScene *scene, TinkerBlockId body, const double place[2],
+                                  double reach)
+{
+    g_autoptr(TinkerFrame) frame = tinker_frame_new(scene, NULL);
+    double own[2];
+    Leaning leaning;
+    if (frame == NULL || !edit_has_ends(frame, body) || edit_is_attached(scene, body)) return FALSE;
+    tinker_frame_to_own(frame, body, place, own);
+    if (!find_tops(frame, &leaning, body, own[0] > 0, reach)) return FALSE;
+    lean_on(&leaning);
+    const TinkerBlockClass *block_class = tinker_scene_block_class(scene, body);
+    const double *a = leaning.end[0], *b = leaning.end[1], length = hypot(b[0] - a[0], b[1] - a[1]);
+    const double centre[2] = {(a[0] + b[0]) / 2, (a[1] + b[1]) / 2}, angle = atan2(b[1] - a[1], b[0] - a[0]);
+    return length > 0 &&
+           tinker_history_set(history, body, block_class->meanings[TINKER_MEANING_POSITION], centre, NULL) &&
+           tinker_history_set(history, body, block_class->meanings[TINKER_MEANING_ORIENTATION], &angle, NULL) &&
+           tinker_history_set(history, body, block_class->meanings[TINKER_MEANING_WIDTH], &length, NULL);
 }

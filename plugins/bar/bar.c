@@ -42,7 +42,51 @@ static void bounds(const TinkerInstance *instance, const TinkerStyle *style, dou
 
 /* Editing */
 
-TINKER_DEFINE_BOX_EDIT(edit, box_columns)
+/* By its ends: the one that is dragged goes along with the hand and the other one stays, as of a line that is drawn. */
+enum { HANDLE_END = TINKER_HANDLE_SIZE, HANDLE_START = TINKER_HANDLE_LOCAL_ORIGIN + 1 };
+
+static const TinkerEdit edit;
+
+static int32_t hit(const TinkerInstance *instance, double x, double y, double reach)
+{
+    return tinker_box_hit(instance, &box_columns, x, y, reach);
+}
+
+static int32_t handles_of(const TinkerInstance *instance, TinkerHandle *handles, int32_t room)
+{
+    const double half = instance->columns[COLUMN_LENGTH] / 2.0;
+    double x, y;
+    int32_t count = 0;
+    for (int side = -1; side <= 1; side += 2) {
+        tinker_box_to_world(instance, side * half, 0.0, &x, &y);
+        count = tinker_handle_add(handles, room, count, side < 0 ? HANDLE_START : HANDLE_END, x, y);
+    }
+    return tinker_turned_handles(instance, &box_columns, half, instance->columns[COLUMN_WIDTH] / 2.0, handles, room,
+                                 count);
+}
+
+static void move_absolute(const TinkerInstance *instance, int32_t part, double x, double y, const TinkerEditor *editor)
+{
+    const double side = part == HANDLE_END ? 1.0 : -1.0;
+    double x0, y0; /* of the end that stays */
+    if (part != HANDLE_END && part != HANDLE_START) {
+        tinker_turned_move_absolute(instance, &box_columns, part, x, y, editor);
+        return;
+    }
+    tinker_box_to_world(instance, -side * instance->columns[COLUMN_LENGTH] / 2.0, 0.0, &x0, &y0);
+    const double length = tinker_length(x - x0, y - y0);
+    if (!(length > 0.0)) return; /* it would point nowhere */
+    tinker_turned_move_absolute(instance, &box_columns, TINKER_PART_WHOLE, (x + x0) / 2.0, (y + y0) / 2.0, editor);
+    tinker_set_angle(editor, TINKER_BODY_ORIENTATION, side * (x - x0), side * (y - y0));
+    editor->set(editor, COLUMN_LENGTH, length);
+}
+
+static void move(const TinkerInstance *instance, int32_t part, double dx, double dy, const TinkerEditor *editor)
+{
+    tinker_turned_move(instance, &box_columns, &edit, part, dx, dy, editor);
+}
+
+static const TinkerEdit edit = {sizeof(TinkerEdit), 0, hit, move, move_absolute, handles_of};
 
 /* Tables */
 

@@ -398,6 +398,83 @@ static void test_stand_on_top(Stage *stage, gconstpointer data)
     tinker_history_free(history);
 }
 
+/* The lowest of a rectangle's corners over a line through `through` with this normal (m), by the corners themselves. */
+static double lowest_corner(const TinkerScene *scene, const char *name, double through, const double normal[2])
+{
+    const double x = own_value(scene, name, TINKER_MEANING_POSITION, 0);
+    const double y = own_value(scene, name, TINKER_MEANING_POSITION, 1);
+    const double angle = own_value(scene, name, TINKER_MEANING_ORIENTATION, 0);
+    const double a = own_value(scene, name, TINKER_MEANING_WIDTH, 0) / 2;
+    const double b = own_value(scene, name, TINKER_MEANING_HEIGHT, 0) / 2;
+    double lowest = INFINITY;
+    for (int corner = 0; corner < 4; corner++) {
+        const double along = corner & 1 ? a : -a, across = corner & 2 ? b : -b;
+        const double at[2] = {x + along * cos(angle) - across * sin(angle),
+                              y + along * sin(angle) + across * cos(angle)};
+        lowest = fmin(lowest, at[0] * normal[0] + at[1] * normal[1] - through);
+    }
+    return lowest;
+}
+
+static void drag_handle(TinkerHistory *history, TinkerScene *scene, const char *name, const double from[2],
+                        const double to[2], double reach)
+{
+    g_autoptr(TinkerFrame) frame = tinker_frame_new(scene, NULL);
+    const TinkerHit handle = tinker_hit_handle(frame, tinker_scene_find_block(scene, name), from[0], from[1], REACH);
+    const TinkerHit hit = tinker_hit_to_drag(frame, handle, from[0], from[1], REACH);
+    TinkerDrag *drag = tinker_drag_begin(history, scene, hit, from[0], from[1]);
+    g_assert_nonnull(drag);
+    tinker_drag_to(drag, to[0], to[1], 0, REACH);
+    tinker_drag_end(drag, FALSE, reach);
+}
+
+/* Floor and wall have their tops at y = 0 and x = 0. A ladder's end that is dropped near the one, and then its other
+ * end near the other, lies there with a corner; the end that is not dragged stays where it was, on its top. */
+static void test_ladder(Stage *stage, gconstpointer data)
+{
+    static const double up[2] = {0, 1}, right[2] = {1, 0};
+    g_autoptr(TinkerScene) scene = scene_fixture_read_blocks(
+        "{\"type\": \"support\", \"name\": \"Floor\", \"position\": [2, -0.2], \"width\": 8, \"height\": 0.4},"
+        "{\"type\": \"support\", \"name\": \"Wall\", \"position\": [-0.2, 3], \"width\": 8, \"height\": 0.4, "
+        "\"orientation\": \"-90 deg\"},"
+        "{\"type\": \"bar\", \"name\": \"Ladder\", \"position\": [3, 2], \"length\": 2, \"width\": 0.1}");
+    TinkerHistory *history = tinker_history_new(scene);
+    drag_handle(history, scene, "Ladder", (const double[]){4, 2}, (const double[]){3, 0.08}, 0);
+    g_assert_cmpfloat_with_epsilon(own_value(scene, "Ladder", TINKER_MEANING_WIDTH, 0), hypot(1, 1.92), 1e-12);
+    g_assert_cmpfloat_with_epsilon(own_value(scene, "Ladder", TINKER_MEANING_POSITION, 0), 2.5, 1e-12);
+    tinker_history_undo(history);
+    drag_handle(history, scene, "Ladder", (const double[]){4, 2}, (const double[]){3, 0.08}, REACH);
+    g_assert_cmpfloat_with_epsilon(lowest_corner(scene, "Ladder", 0, up), 0, 1e-12);
+    drag_handle(history, scene, "Ladder", (const double[]){2, 2}, (const double[]){-0.05, 4}, REACH);
+    g_assert_cmpfloat_with_epsilon(lowest_corner(scene, "Ladder", 0, up), 0, 1e-12);
+    g_assert_cmpfloat_with_epsilon(lowest_corner(scene, "Ladder", 0, right), 0, 1e-12);
+    g_assert_cmpfloat_with_epsilon(own_value(scene, "Ladder", TINKER_MEANING_WIDTH, 0), 5, 0.1);
+    tinker_history_free(history);
+}
+
+/* An end of a bar that a joint is on is no handle of its length: the bar is moved by it. One that is free has it. */
+static void test_jointed_bar_is_not_sized(Stage *stage, gconstpointer data)
+{
+    g_autoptr(TinkerScene) scene = scene_fixture_read_blocks(
+        "{\"type\": \"support\", \"name\": \"Wall\", \"position\": [0, 0]},"
+        "{\"type\": \"bar\", \"name\": \"Crank\", \"position\": [0.5, 0]},"
+        "{\"type\": \"bar\", \"name\": \"Free\", \"position\": [0.5, 3]},"
+        "{\"type\": \"pin\", \"name\": \"A\", \"ends\": [\"Wall\", {\"block\": \"Crank\", \"at\": [-0.5, 0]}]}");
+    static const struct {
+        const char *name;
+        double y;
+        gboolean sizes;
+    } rows[] = {{"Crank", 0, FALSE}, {"Free", 3, TRUE}};
+    g_autoptr(TinkerFrame) frame = tinker_frame_new(scene, NULL);
+    for (gsize i = 0; i < G_N_ELEMENTS(rows); i++) {
+        const TinkerHit hit =
+            tinker_hit_handle(frame, tinker_scene_find_block(scene, rows[i].name), 1, rows[i].y, REACH);
+        g_assert_cmpint(hit.part, >=, TINKER_PART_HANDLE);
+        const TinkerHit held = tinker_hit_to_drag(frame, hit, 1, rows[i].y, REACH);
+        g_assert_cmpint(held.part, ==, rows[i].sizes ? hit.part : TINKER_PART_WHOLE);
+    }
+}
+
 static void test_nothing(Stage *stage, gconstpointer data)
 {
     TinkerHit nothing = {TINKER_NO_BLOCK, TINKER_PART_NONE}, gone = {4711, TINKER_PART_WHOLE};
@@ -478,6 +555,8 @@ static void add_tests(void)
     add("/edit/drag/handles", test_handles);
     add("/edit/drag/onto-top", test_onto_top);
     add("/edit/drag/stand-on-top", test_stand_on_top);
+    add("/edit/drag/ladder", test_ladder);
+    add("/edit/drag/jointed-bar-is-not-sized", test_jointed_bar_is_not_sized);
     add("/edit/drag/nothing", test_nothing);
     add("/edit/drag/outline", test_outline);
 }

@@ -144,6 +144,26 @@ TinkerTop tinker_top_nearest(const TinkerFrame *frame, TinkerBlockId body)
     return nearest;
 }
 
+double tinker_top_height(const TinkerTop *top, const double place[2])
+{
+    return top->normal[0] * (place[0] - top->middle[0]) + top->normal[1] * (place[1] - top->middle[1]);
+}
+
+TinkerTop tinker_top_at(const TinkerFrame *frame, const double place[2], double reach)
+{
+    g_autoptr(GArray) tops = solid_tops(frame);
+    TinkerTop nearest = {.plate = TINKER_NO_BLOCK};
+    for (guint i = 0; i < tops->len; i++) {
+        const TinkerTop *top = &g_array_index(tops, TinkerTop, i);
+        const double dx = place[0] - top->middle[0], dy = place[1] - top->middle[1];
+        const double height = fabs(tinker_top_height(top, place));
+        if (fabs(top->along[0] * dx + top->along[1] * dy) > top->half_width || height > reach) continue;
+        reach = height;
+        nearest = *top;
+    }
+    return nearest;
+}
+
 void tinker_tops_turn_bodies(TinkerFrame *frame)
 {
     TinkerScene *scene = tinker_frame_scene(frame);

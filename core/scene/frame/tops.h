@@ -29,6 +29,13 @@ TinkerTop tinker_top_of(const TinkerFrame *frame, TinkerBlockId plate);
 /* The solid top nearest to a body, with what the body touches before all others. */
 TinkerTop tinker_top_nearest(const TinkerFrame *frame, TinkerBlockId body);
 
+/* The solid top that a place (m) is nearest to, within `reach` (m) of its line and over its width; its `plate` is
+ * TINKER_NO_BLOCK where there is none. */
+TinkerTop tinker_top_at(const TinkerFrame *frame, const double place[2], double reach);
+
+/* How far a place (m) is off the line of a top, in front of it (m). */
+double tinker_top_height(const TinkerTop *top, const double place[2]);
+
 /* How far a body reaches from its centre towards a top (m): what lies along it by half its height; what turns as it is
  * turned by `orientation` (rad). */
 double tinker_top_reach(const TinkerFrame *frame, const TinkerTop *top, TinkerBlockId body, double orientation);

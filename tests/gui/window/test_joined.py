@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 """Joints: where a pin goes, and what follows when a body that is joined is moved."""
 import math
+import re
 
 from harness import App, check, check_close, check_equal, main, scene, spring, support, wait
 from harness import colours
@@ -157,6 +158,37 @@ def test_pin_for_one_bar_and_a_support_for_it(display):
         check_equal(blocks["Support 0"]["position"], [0.5, 1], "where it hangs")
         app.click("Play")
         wait(lambda: app.time() == 1, "the run")
+
+
+def test_selected_crank_is_played_by_its_end(display):
+    """The handle there would make a bar longer that no joint is on."""
+    with App(display, driven_slider_crank(0)) as app:
+        app.click_world(0.2, 0)
+        wait(lambda: app.read("Appearance", "Name") == "Crank", "the crank to be selected")
+        app.drag((0.5, 0), (0.35, 0.35))
+        crank = app.blocks()["Crank"]
+        check_equal(crank["length"], 0.5, "its length")
+        check_close(crank["orientation"], math.pi / 4, 0.02, "its angle")
+
+
+def test_ladder_leans_at_floor_and_wall(display):
+    """Its ends go where they are dragged, and it is offered to be solid; then it stands."""
+    blocks = (support("Floor", 1, -0.2, width=6, static_friction=0.8, dynamic_friction=0.8),
+              support("Wall", -1.2, 1.8, orientation="-90 deg", width=4), {"type": "gravity", "name": "Gravity"},
+              bar("Ladder", 1, 2, length=2))
+    with App(display, scene(*blocks, duration=1)) as app:
+        app.click_world(1, 2)
+        app.drag((2, 2), (0.42, 0.03))
+        app.find_text("Ladder is not solid, and passes through Floor.")
+        app.drag((0, 2), (-0.97, 2.8))
+        app.click("Make It Solid")
+        ladder = app.blocks()["Ladder"]
+        check_equal(ladder["solid"], True, "solid")
+        check_close(ladder["length"], math.hypot(1.4, 2.8), 0.05, "its length")
+        app.click("Play")
+        wait(lambda: app.time() == 1 and not app.is_playing(), "the run")
+        height = re.search(r"at \(\S+ m, (\S+) m\)", app.outline_item("Ladder").name)
+        check_close(float(height.group(1)), 1.4, 0.03, "the height at which it stands (m)")
 
 
 def test_pin_for_a_spring_is_on_nothing(display):
