@@ -74,6 +74,12 @@ static void fit_box(TinkerCanvas *canvas, const double box[4], double margin, do
     canvas->view_is_fitted = TRUE;
 }
 
+/* What stays free at the top: the place of a notice of one line, or of the one that is there. */
+static double room_above(const TinkerCanvas *canvas)
+{
+    return fmax(NOTICE, canvas_seen_from(canvas));
+}
+
 /* Graphs that float are part of what there is to see. */
 static void include_graphs(TinkerScene *scene, double box[4])
 {
@@ -102,7 +108,26 @@ static gboolean box_of_all(TinkerCanvas *canvas, double box[4])
 void tinker_canvas_fit(TinkerCanvas *canvas)
 {
     double box[4];
-    if (box_of_all(canvas, box)) fit_box(canvas, box, FIT_MARGIN, NOTICE);
+    if (box_of_all(canvas, box)) fit_box(canvas, box, FIT_MARGIN, room_above(canvas));
+}
+
+/* Shows the same below what lies over it, where that covers something of the scene. */
+static gboolean keep_below_cover(gpointer data)
+{
+    TinkerCanvas *canvas = data;
+    double box[4], x, top;
+    if (!canvas->view_is_fitted || canvas->gesture != CANVAS_IDLE || !box_of_all(canvas, box)) return G_SOURCE_REMOVE;
+    tinker_view_to_canvas(&canvas->view, 0, box[3], &x, &top);
+    if (top < canvas_seen_from(canvas) && room_above(canvas) > canvas->fitted_above)
+        fit_box(canvas, canvas->fitted, canvas->fitted_margin, room_above(canvas));
+    return G_SOURCE_REMOVE;
+}
+
+void tinker_canvas_cover_placed(TinkerCanvas *canvas)
+{
+    gtk_widget_queue_draw(GTK_WIDGET(canvas));
+    if (canvas->view_is_fitted && room_above(canvas) > canvas->fitted_above) /* not while widgets get their places */
+        g_idle_add_full(G_PRIORITY_DEFAULT, keep_below_cover, g_object_ref(canvas), g_object_unref);
 }
 
 void tinker_canvas_show_width(TinkerCanvas *canvas)
@@ -137,7 +162,7 @@ void tinker_canvas_show_first(TinkerCanvas *canvas)
     }
     widen(&box[0], &box[2], canvas_width);
     widen(&box[1], &box[3], CANVAS_SHAPE * canvas_width);
-    fit_box(canvas, box, 0, NOTICE);
+    fit_box(canvas, box, 0, room_above(canvas));
 }
 
 static void tinker_canvas_size_allocate(GtkWidget *widget, int width, int height, int baseline)

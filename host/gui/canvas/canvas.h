@@ -17,9 +17,13 @@ void tinker_canvas_set_player(TinkerCanvas *canvas, TinkerDocument *document, Ti
 /* What is shown beside the blocks. Properties "show-labels", "show-forces", "show-local-origins", "show-grid"; "large":
  * all that is drawn is larger, for those who sit at the back. */
 
-/* A widget that lies over the top of the canvas, as high as it is: marks at the edge keep below it. Whoever changes its
- * height has the canvas drawn anew. Borrowed; NULL: there is none. */
+/* A widget that lies over the top of the canvas, as high as it is: marks at the edge keep below it. Borrowed; NULL:
+ * there is none. */
 void tinker_canvas_set_cover(TinkerCanvas *canvas, GtkWidget *cover);
+
+/* It has got another place or height: a scene that is shown wholly is shown below it, if it would cover some of that.
+ */
+void tinker_canvas_cover_placed(TinkerCanvas *canvas);
 
 /* Marks these blocks as those that something is wrong with; ids of blocks that are gone are passed over. Copied. */
 void tinker_canvas_set_marked(TinkerCanvas *canvas, const TinkerBlockId *blocks, int count);

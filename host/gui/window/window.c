@@ -112,7 +112,7 @@ static void on_canvas_faults(TinkerCanvas *canvas, TinkerWindow *window)
 /* Called whenever something over the canvas gets its place. */
 static gboolean on_cover_placed(GtkOverlay *overlay, GtkWidget *child, GdkRectangle *place, TinkerWindow *window)
 {
-    if (child == GTK_WIDGET(window->banners)) gtk_widget_queue_draw(GTK_WIDGET(window->canvas));
+    if (child == GTK_WIDGET(window->banners)) tinker_canvas_cover_placed(window->canvas);
     return FALSE; /* where it is anyway */
 }
 

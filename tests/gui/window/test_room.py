@@ -107,6 +107,19 @@ def test_where_somebody_looks_stays_when_the_window_is_sized(display):
         check(abs(app.canvas_box()[2] / app.view()[0] - zoomed) < 0.5, "pixels per m stay")
 
 
+def test_scene_is_below_a_high_notice(display):
+    """One of several lines, as in a small window, has no room in what is left free for one."""
+    with App(display, scene(support("Floor", 0, -2), mass("Box", 0, -1.7), mass("High", 0, 4), width=4)) as app:
+        make_small(app)
+        notice = app.find("button", re.compile("^Box starts "))
+        bar = app.find("button", "Close Notice")
+
+        def is_below():
+            return app.at(0, 4.4)[1] > max(sum(app.box(node)[1::2]) for node in (notice, bar))
+
+        wait(is_below, "the highest block to be below the notice")
+
+
 def test_first_steps_can_be_read_in_a_small_window(display):
     with App(display) as app:
         app.find(None, "First Steps")
