@@ -76,8 +76,9 @@ static const TinkerBlockType blocks[] = {
     {TINKER_BLOCK("slider", "Slider", TINKER_JOINT),
      .summary = "Lets a body slide along a line of another without turning against it",
      .formula = "(x2 - x1) · n = 0, n = (-sin α, cos α), θ2 - θ1 stays", .least_ends = 2, .most_ends = 2,
-     .end_accepts = TINKER_ACCEPTS_BODY | TINKER_ACCEPTS_SUPPORT, .properties = TINKER_SPAN(properties),
-     .quantities = TINKER_SPAN(quantities), .interfaces = TINKER_SPAN(interfaces), .law = TINKER_SPAN(law)},
+     .end_accepts = TINKER_ACCEPTS_BODY | TINKER_ACCEPTS_SUPPORT, .flags = TINKER_HAS_SPAN,
+     .properties = TINKER_SPAN(properties), .quantities = TINKER_SPAN(quantities),
+     .interfaces = TINKER_SPAN(interfaces), .law = TINKER_SPAN(law)},
 };
 
 TINKER_DEFINE_PLUGIN("org.tinker.slider", "Slider", "0.1.0", "MIT", blocks)

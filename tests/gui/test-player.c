@@ -115,6 +115,30 @@ static void test_step_and_seek(void)
     player_assert_close(player_height(fixture), 1, 0);
 }
 
+/* Along the line of a slot a mass swings with amplitude v/omega = 0.5 m about the slot's end: that is its span at every
+ * time that is shown, as soon as the run is recorded, and none of it before. */
+static void test_spans(void)
+{
+    g_autoptr(PlayerFixture) fixture = player_fixture_new(
+        "'run': {'duration': 4, 'interval': 0.01}, 'blocks': ["
+        "{'type': 'support', 'name': 'A', 'position': [4, 0]}, {'type': 'support', 'name': 'S', 'position': [0, 0]},"
+        "{'type': 'mass', 'name': 'M', 'position': [0, 0], 'velocity': [2.5, 0]},"
+        "{'type': 'spring', 'name': 'K', 'ends': ['A', 'M'], 'stiffness': 25, 'rest_length': 4},"
+        "{'type': 'slot', 'name': 'G', 'ends': ['S', 'M']}]");
+    const TinkerBlockId slot = tinker_scene_find_block(tinker_document_scene(fixture->document), "G");
+    TinkerInstance instance;
+    g_assert_true(tinker_frame_instance(tinker_player_frame(fixture->player), slot, &instance));
+    g_assert_cmpfloat(instance.span, ==, 0);
+    player_play(fixture);
+    player_wait_until(fixture, 4);
+    for (int i = 0; i < 3; i++) {
+        tinker_player_seek(fixture->player, i);
+        g_assert_true(tinker_frame_instance(tinker_player_frame(fixture->player), slot, &instance));
+        player_assert_close(instance.span, 0.5, 0.5 * (1 - cos(OMEGA * 0.005)) + CLOSE);
+        player_assert_close(fabs(instance.end[1].x - instance.end[0].x), fabs(0.5 * sin(OMEGA * i)), CLOSE);
+    }
+}
+
 /* The first sample need not be there yet when the next is asked for. */
 static void test_steps_in_a_row(void)
 {
@@ -211,6 +235,7 @@ static void add_tests(void)
     g_test_add_func("/player/local-origin", test_local_origin);
     g_test_add_func("/player/speed", test_speed);
     g_test_add_func("/player/step-and-seek", test_step_and_seek);
+    g_test_add_func("/player/spans", test_spans);
     g_test_add_func("/player/steps-in-a-row", test_steps_in_a_row);
     g_test_add_func("/player/series", test_series);
     g_test_add_func("/player/long-series", test_long_series);

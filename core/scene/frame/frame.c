@@ -12,6 +12,7 @@
 #include "scene/frame/lanes.h"
 #include "scene/frame/motions.h"
 #include "scene/frame/paths.h"
+#include "scene/frame/spans.h"
 
 /* Of the symbol size: the distance of two connectors side by side. */
 #define LANE_SHARE 1.2
@@ -49,6 +50,7 @@ struct _TinkerFrame {
     WoundLength *lengths; /* by block id; of other blocks unused */
     guint64 placings;     /* how often a body has been placed: what was told of lengths before holds no longer */
     TinkerPaths *paths;   /* of the blocks that leave one; NULL where there are none */
+    TinkerSpans *spans;   /* of the blocks that have one; NULL where there are none */
 };
 
 static void locate(TinkerFrame *frame)
@@ -260,6 +262,7 @@ TinkerFrame *tinker_frame_new(TinkerScene *scene, GError **error)
     frame->motions = tinker_motions_new(frame->batches);
     frame->lanes = tinker_lanes_new(scene);
     frame->paths = tinker_paths_new(scene);
+    frame->spans = tinker_spans_new(scene);
     frame->locations = g_new0(Location, MAX(frame->limit, 1));
     frame->ends = g_array_new(FALSE, TRUE, sizeof(TinkerEnd));
     frame->wound = g_array_new(FALSE, FALSE, sizeof(TinkerBlockId));
@@ -293,6 +296,7 @@ void tinker_frame_free(TinkerFrame *frame)
     tinker_motions_free(frame->motions);
     g_free(frame->lanes);
     tinker_paths_free(frame->paths);
+    tinker_spans_free(frame->spans);
     g_array_unref(frame->wound);
     g_free(frame->lengths);
     g_free(frame->locations);
@@ -468,6 +472,7 @@ gboolean tinker_frame_instance(TinkerFrame *frame, TinkerBlockId block, TinkerIn
     if (batch->point_lists != NULL)
         instance->point_lists = batch->point_lists + (gsize)location->row * (gsize)batch->point_list_count;
     instance->path = tinker_paths_of(frame->paths, block, frame->time, &instance->path_count);
+    instance->span = tinker_spans_of(frame->spans, block);
     instance->end = count > 0 ? (const TinkerEnd *)(void *)frame->ends->data : NULL;
     if (frame->lanes[block] != 0) take_lane(frame, block, &batch->end[first], instance);
     return TRUE;
@@ -494,6 +499,32 @@ void tinker_frame_note_paths(TinkerFrame *frame)
         places[2 * i + 1] = end.y;
     }
     tinker_paths_note(frame->paths, frame->time, places);
+}
+
+gboolean tinker_frame_has_spans(const TinkerFrame *frame)
+{
+    return frame->spans != NULL;
+}
+
+void tinker_frame_note_spans(TinkerFrame *frame)
+{
+    int32_t count;
+    const TinkerBlockId *blocks = tinker_spans_blocks(frame->spans, &count);
+    for (int32_t i = 0; i < count; i++) {
+        const Location *location = &frame->locations[blocks[i]];
+        if (location->batch == NULL) continue;
+        const int32_t first = location->batch->end_offsets[location->row];
+        TinkerEnd a, b;
+        if (location->batch->end_offsets[location->row + 1] < first + 2) continue;
+        end_place(frame, &location->batch->end[first], &a);
+        end_place(frame, &location->batch->end[first + 1], &b);
+        tinker_spans_note(frame->spans, i, hypot(b.x - a.x, b.y - a.y));
+    }
+}
+
+void tinker_frame_forget_spans(TinkerFrame *frame)
+{
+    tinker_spans_forget(frame->spans);
 }
 
 void tinker_frame_set_symbol_size(TinkerFrame *frame, double symbol_size)

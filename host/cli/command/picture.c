@@ -134,6 +134,7 @@ static gboolean place_frame(TinkerSimulation *simulation, double time, const dou
     TinkerPictureCourse *course = sampled->course;
     if (time <= sampled->time && !tinker_simulation_place(simulation, sampled->frame, error)) return FALSE;
     if (time <= sampled->time) tinker_frame_note_paths(sampled->frame);
+    if (time <= sampled->time) tinker_frame_note_spans(sampled->frame);
     if (time <= sampled->time && course->trail != NULL) tinker_motion_trail_note_frame(course->trail, sampled->frame);
     if (sampled->acting != NULL && !tinker_acting_forces_at(sampled->acting, simulation, sampled->forces, error))
         return FALSE;
@@ -169,14 +170,14 @@ static int compare_times(const void *left, const void *right)
     return (l > r) - (l < r);
 }
 
-/* The one sample that is drawn; before it, where blocks or a trail leave paths, one at every interval of the scene's,
- * and at every mark; and where vectors are wanted, some over the whole run. Ascending, each once. Element: double.
- * (transfer full) */
+/* The one sample that is drawn; before it, where blocks or a trail leave paths or blocks have a span, one at every
+ * interval of the scene's, and at every mark; and where vectors are wanted, some over the whole run. Ascending, each
+ * once. Element: double. (transfer full) */
 static GArray *sample_times(const TinkerFrame *frame, const TinkerRunOptions *options, double time,
                             const TinkerPictureCourse *course)
 {
     g_autoptr(GArray) all = g_array_new(FALSE, FALSE, sizeof(double));
-    if (tinker_frame_leaves_paths(frame) || course->trail != NULL)
+    if (tinker_frame_leaves_paths(frame) || tinker_frame_has_spans(frame) || course->trail != NULL)
         add_times(all, MAX(options->interval, time / MOST_PLACES), time);
     if (course->trail != NULL) add_times(all, tinker_motion_trail_every(course->trail), time);
     if (course->vectors != NULL) add_times(all, options->duration / SCALE_SAMPLES, options->duration);

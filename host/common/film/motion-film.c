@@ -181,6 +181,7 @@ static gboolean bound_motion(TinkerMotionFilm *motion, const TinkerFilmDrawing *
     gsize count = tinker_record_rows(motion->record);
     for (gsize picture = 0; picture < count && !is_cancelled(drawing); picture++) {
         if (!place_picture(motion, picture, error)) return FALSE;
+        tinker_frame_note_spans(motion->frame);
         widen_box(motion);
     }
     return TRUE;

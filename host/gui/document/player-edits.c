@@ -44,8 +44,7 @@ static gboolean continue_from_now(TinkerPlayer *player)
         tinker_run_task_stop(player_segment(player, i)->task);
     g_array_set_size(player->recording.segments, keep);
     player->recording.generation++;
-    player->path_segment = MIN(player->path_segment, keep); /* noted up to here, as the frame was made anew */
-    player->path_row = 0;
+    player_note_anew(player, keep); /* it was up to here, as the frame was made anew */
     TinkerSegment *before = player_segment(player, keep - 1);
     if (before->scene == NULL) before->scene = tinker_scene_copy(player->ran);
     TinkerScene *from_here = tinker_scene_copy(continued);
@@ -118,8 +117,8 @@ static gboolean record_anew(TinkerPlayer *player)
     TinkerBlockId culprit;
     if (!player_can_run(player, &culprit, NULL)) return FALSE;
     player_record_from_start(player);
-    player->path_segment = 0;
-    player->path_row = 0;
+    player_note_anew(player, 0);
+    if (player->frame != NULL) tinker_frame_forget_spans(player->frame);
     if (player->state == TINKER_PLAYER_SETUP) player_set_state(player, TINKER_PLAYER_PAUSED);
     return TRUE;
 }

@@ -6,6 +6,8 @@
 #include "gui/document/recorded-quantities.h"
 #include "scene/frame/tops.h"
 
+#define MOST_SPANNED 2000 /* samples a picture that spans are taken from */
+
 guint player_signals[PLAYER_SIGNALS];
 
 void player_set_state(TinkerPlayer *player, TinkerPlayerState state)
@@ -81,10 +83,35 @@ static void note_paths(TinkerPlayer *player)
     }
 }
 
+/* Takes the frame through what has been recorded since, however far it is ahead of what is shown: spans are those of
+ * the whole run. So many samples at once that no picture waits for them. */
+static void note_spans(TinkerPlayer *player)
+{
+    if (!tinker_frame_has_spans(player->frame)) return;
+    int left = MOST_SPANNED;
+    for (; player->span_segment < player->recording.segments->len; player->span_segment++, player->span_row = 0) {
+        TinkerRunTask *task = player_segment(player, player->span_segment)->task;
+        gsize last;
+        if (!tinker_run_task_find(task, tinker_recording_end(&player->recording, player->span_segment), &last)) return;
+        for (; player->span_row <= last && left > 0; player->span_row++, left--)
+            if (tinker_recording_place_sample(player->frame, task, player->span_row))
+                tinker_frame_note_spans(player->frame);
+        if (left == 0 || player->span_segment + 1 == player->recording.segments->len) return;
+    }
+}
+
+void player_note_anew(TinkerPlayer *player, guint segment)
+{
+    player->path_segment = MIN(player->path_segment, segment);
+    player->span_segment = MIN(player->span_segment, segment);
+    player->path_row = player->span_row = 0;
+}
+
 void player_update_frame(TinkerPlayer *player)
 {
     if (player->frame == NULL) return;
     note_paths(player);
+    note_spans(player);
     (void)tinker_recording_place(&player->recording, player->frame, player->time);
 }
 
@@ -92,8 +119,7 @@ void player_renew_frame(TinkerPlayer *player)
 {
     g_clear_pointer(&player->frame, tinker_frame_free);
     player->frame = tinker_frame_new(tinker_document_scene(player->document), NULL);
-    player->path_segment = 0;
-    player->path_row = 0;
+    player_note_anew(player, 0);
     if (player->frame != NULL) tinker_tops_turn_bodies(player->frame);
     player_update_frame(player);
 }

@@ -21,8 +21,10 @@ struct _TinkerPlayer {
     TinkerFrame *frame;
     guint path_segment; /* where in the record the frame's paths end: everything before this row of this segment */
     gsize path_row;     /* is noted */
-    GArray *asked;      /* of TinkerQuantity: asked for in vain */
-    GPtrArray *events;  /* of TinkerRunEvent *: of this generation, when there were so many in all tasks */
+    guint span_segment; /* and up to where its spans are those of the record */
+    gsize span_row;
+    GArray *asked;     /* of TinkerQuantity: asked for in vain */
+    GPtrArray *events; /* of TinkerRunEvent *: of this generation, when there were so many in all tasks */
     guint events_generation, events_counted;
 };
 
@@ -44,6 +46,8 @@ void player_record_from_start(TinkerPlayer *player);
 /* The frame as it is at the time shown; made anew where the scene is another. */
 void player_update_frame(TinkerPlayer *player);
 void player_renew_frame(TinkerPlayer *player);
+/* What the frame notes of the record is noted anew, from the start of this segment on. */
+void player_note_anew(TinkerPlayer *player, guint segment);
 /* Tells that the time shown is another. */
 void player_moved(TinkerPlayer *player);
 

@@ -87,7 +87,8 @@ GPtrArray *tinker_player_warnings(TinkerPlayer *player, gboolean of_scene)
 guint tinker_player_generation(TinkerPlayer *player)
 {
     const guint before = player->recording.generation, now = tinker_recording_generation(&player->recording);
-    if (now != before && player->frame != NULL && tinker_frame_leaves_paths(player->frame))
+    if (now != before && player->frame != NULL &&
+        (tinker_frame_leaves_paths(player->frame) || tinker_frame_has_spans(player->frame)))
         player_renew_frame(player); /* whose paths are those of the new samples */
     return now;
 }

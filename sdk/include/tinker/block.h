@@ -135,6 +135,7 @@ typedef struct TinkerQuantityType {
 
 /* Flags of a block type. */
 #define TINKER_LEAVES_PATH (1u << 0) /* the host remembers where its first end has been: TinkerInstance.path */
+#define TINKER_HAS_SPAN    (1u << 1) /* ... and how far its first two ends have been apart: TinkerInstance.span */
 
 typedef struct TinkerBlockType {
     uint32_t struct_size;

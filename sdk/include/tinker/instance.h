@@ -38,6 +38,8 @@ typedef struct TinkerInstance {
     const TinkerPointList *point_lists; /* of the properties with TINKER_TEXT_POINTS, in order; NULL: there are none */
     int32_t text_count;                 /* entries of `texts` */
     const char *const *texts; /* the values of its properties that are texts, in the order of the declaration, UTF-8 */
+    double span; /* of a type with TINKER_HAS_SPAN: how far its first two ends are apart at most in the run that is
+                    shown, as far as that is known (m); what is drawn by it does not change with the motion. Else 0 */
 } TinkerInstance;
 
 #ifdef __cplusplus

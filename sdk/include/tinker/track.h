@@ -86,14 +86,16 @@ static inline TinkerStatus tinker_track_values(TinkerBatch *batch, const TinkerG
 
 /* Drawing: the track as two lines -------------------------------------------------------------------------------- */
 
-/* Half of the track's length and width, in symbols; it is longer where the second end is far from the first. */
+/* Half of the track's length and width, in symbols; it is longer where the second end comes far from the first, and as
+ * long during a whole run: it is a part of what the first end is on. */
 #define TINKER_TRACK_LENGTH 3.0
 #define TINKER_TRACK_WIDTH  0.45
 
 static inline double tinker_track_half_length(const TinkerInstance *instance, double symbol)
 {
     const TinkerEnd *a = &instance->end[0], *b = &instance->end[1];
-    return fmax(TINKER_TRACK_LENGTH * symbol, tinker_length(b->x - a->x, b->y - a->y) + symbol);
+    const double farthest = fmax(tinker_length(b->x - a->x, b->y - a->y), instance->span);
+    return fmax(TINKER_TRACK_LENGTH * symbol, farthest + symbol);
 }
 
 /* The line's direction as it is drawn (rad). */
