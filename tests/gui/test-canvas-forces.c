@@ -60,8 +60,36 @@ static void test_peak(void)
     canvas_forces_free(forces);
 }
 
+/* A small mass lies ahead of an arrow, where its label would be: nothing is drawn over it. Where it lies elsewhere the
+ * label is there. */
+static void test_label_beside_a_small_body(void)
+{
+    static const char *const blocks =
+        "'run': {'duration': 1, 'interval': 0.01}, 'blocks': [{'type': 'mass', 'name': 'M', 'mass': 1e12, 'width': "
+        "0.4},"
+        "{'type': 'motor', 'name': 'F', 'ends': ['M'], 'amplitude': 1},"
+        "{'type': 'mass', 'name': 'N', 'mass': 1e12, 'position': [2, %g], 'width': 0.5, 'height': 0.5}]";
+    for (int away = 0; away < 2; away++) {
+        g_autofree char *members = g_strdup_printf(blocks, away ? 4.0 : 0.0);
+        g_autoptr(PlayerFixture) fixture = player_fixture_new(members);
+        CanvasForces *forces = canvas_forces_new();
+        player_play(fixture);
+        player_wait_until(fixture, 1);
+        tinker_player_pause(fixture->player);
+        g_autoptr(GBytes) picture = drawn_at(fixture, forces, 0);
+        const guint32 *pixels = g_bytes_get_data(picture, NULL);
+        int over = 0;
+        for (int row = SIDE / 2 - 10; row < SIDE / 2 + 10; row++)
+            for (int column = SIDE / 2 + 70; column < SIDE / 2 + 90; column++)
+                over += pixels[row * SIDE + column] != 0;
+        g_assert_cmpint(over > 0, ==, away);
+        canvas_forces_free(forces);
+    }
+}
+
 static void add_tests(void)
 {
+    g_test_add_func("/canvas-forces/label-beside-a-small-body", test_label_beside_a_small_body);
     g_test_add_func("/canvas-forces/peak", test_peak);
 }
 

@@ -166,6 +166,7 @@ static gboolean render(const RenderOptions *options, const TinkerOpenScene *open
         paint.over_data = &overlay;
         paint.texts = texts;
     }
+    overlay.arrows.frame = frame;
     tinker_painter_bounds(frame, box);
     if (options->over.trail) tinker_motion_trail_widen(overlay.course.trail, overlay.ghosts, box);
     if (reached) drawn = tinker_paint_to_file(frame, box, width, height, &paint, options->output, error);

@@ -128,10 +128,11 @@ static void begin_drawing(TinkerFilmArrows *arrows)
                                         .lit = TINKER_NO_BLOCK};
 }
 
-void tinker_film_arrows_dress(TinkerFilmArrows *arrows, gsize picture, double time, TinkerPaintOptions *paint)
+void tinker_film_arrows_dress(TinkerFilmArrows *arrows, gsize picture, TinkerFrame *frame, TinkerPaintOptions *paint)
 {
     if (picture == 0) begin_drawing(arrows);
-    arrows->time = time;
+    arrows->time = tinker_frame_time(frame);
+    arrows->drawn.frame = frame;
     arrows->drawn.acting = g_ptr_array_index(arrows->forces, picture);
     arrows->drawn.vectors = g_ptr_array_index(arrows->vectors, picture);
     g_ptr_array_set_size(arrows->texts, 0);

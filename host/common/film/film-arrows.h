@@ -33,6 +33,6 @@ gboolean tinker_film_arrows_add(TinkerFilmArrows *arrows, TinkerSimulation *simu
 void tinker_film_arrows_cut(TinkerFilmArrows *arrows, gsize count);
 
 /* Lets a picture be drawn with what belongs over it, as far as the frame's time; options are valid until the next. */
-void tinker_film_arrows_dress(TinkerFilmArrows *arrows, gsize picture, double time, TinkerPaintOptions *paint);
+void tinker_film_arrows_dress(TinkerFilmArrows *arrows, gsize picture, TinkerFrame *frame, TinkerPaintOptions *paint);
 
 #endif

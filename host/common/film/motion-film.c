@@ -215,8 +215,7 @@ static gboolean draw_pictures(TinkerMotionFilm *motion, TinkerFilm *film, const 
         if (picture > 0 && drawing->enough != NULL && drawing->enough(drawing->data)) break;
         fine = place_picture(motion, picture, error);
         if (!fine) break;
-        if (motion->arrows != NULL)
-            tinker_film_arrows_dress(motion->arrows, picture, tinker_frame_time(motion->frame), &paint);
+        if (motion->arrows != NULL) tinker_film_arrows_dress(motion->arrows, picture, motion->frame, &paint);
         draw_picture(motion, cairo, &view, &paint, height);
         fine = tinker_film_add(film, surface, error);
         if (fine && drawing->progress != NULL) drawing->progress((double)picture + 1, (double)count, drawing->data);

@@ -6,9 +6,13 @@
 #include <math.h>
 
 #include "render/draw/text.h"
+#include "render/picture/painter.h"
 
 /* No unit; of the longer side of a picture: what is longer is no arrow to compare with others. */
 #define LONGEST_SHARE 0.5
+
+#define SMALL       48.0 /* canvas units: a body that a label would hide, or most of it */
+#define MOST_BLOCKS 1000 /* of a scene, before labels hide bodies, since looking for these would take long */
 
 double tinker_force_arrows_greatest(const GArray *acting)
 {
@@ -147,7 +151,21 @@ static void key_init(Key *key, const TinkerForceArrows *forces, const TinkerView
     key->key = (TinkerArrowKey){key->lengths, lengths, forces->marks, key->words, words};
 }
 
-/* Boxes that labels keep clear of: of texts, and of the key. Of double[4]. (transfer full) */
+static void take_small_bodies(const TinkerForceArrows *forces, const TinkerView *view, GArray *taken)
+{
+    const int32_t count = forces->frame != NULL ? tinker_scene_block_count(forces->scene) : 0;
+    for (int32_t i = 0; i < count && count <= MOST_BLOCKS; i++) {
+        const TinkerBlockId block = tinker_scene_block_at(forces->scene, i);
+        double world[4], box[4];
+        if (!tinker_block_moves(forces->scene, block) || !tinker_painter_box(forces->frame, block, view, world))
+            continue;
+        tinker_view_to_canvas(view, world[0], world[3], &box[0], &box[1]);
+        tinker_view_to_canvas(view, world[2], world[1], &box[2], &box[3]);
+        if (fmax(box[2] - box[0], box[3] - box[1]) < SMALL) g_array_append_vals(taken, box, 1);
+    }
+}
+
+/* Boxes that labels keep clear of: of texts, of small bodies, and of the key. Of double[4]. (transfer full) */
 static GArray *taken_boxes(const TinkerForceArrows *forces, const Key *key, const TinkerView *view,
                            const TinkerTheme *theme)
 {
@@ -155,6 +173,7 @@ static GArray *taken_boxes(const TinkerForceArrows *forces, const Key *key, cons
     double box[4];
     for (guint i = 0; forces->texts != NULL && i < forces->texts->len; i++)
         g_array_append_vals(taken, ((const TinkerWrittenText *)g_ptr_array_index(forces->texts, i))->box, 1);
+    take_small_bodies(forces, view, taken);
     if (tinker_arrows_key_box(view, theme, &key->key, box)) g_array_append_vals(taken, box, 1);
     return taken;
 }

@@ -13,6 +13,7 @@
 /* Everything is borrowed. */
 typedef struct {
     TinkerScene *scene;
+    TinkerFrame *frame;     /* as it is drawn, whose small bodies labels keep clear of; NULL: they do not */
     const GArray *acting;   /* of TinkerActingForce: all that are to be shown */
     const GArray *at_start; /* likewise, of the start of the run, whose scale the arrows have unless they outgrow it;
                                NULL: their own */

@@ -126,6 +126,7 @@ void canvas_forces_draw(CanvasForces *forces, cairo_t *cairo, TinkerDocument *do
     g_autoptr(GArray) shown = shown_forces(document, acting, look);
     const double pixels = scale_now(forces, acting, view);
     TinkerForceArrows arrows = {.scene = tinker_document_scene(document),
+                                .frame = tinker_player_frame(player),
                                 .acting = shown,
                                 .pixels = look->factor * pixels,
                                 .texts = look->texts,
