@@ -184,6 +184,28 @@ static void test_gap(void)
 }
 
 /* A single point, a constant, nothing at all, nothing but NaN, one point between gaps. */
+/* How high the name of the axis across is written (canvas units). */
+static double height_of_label(double enlargement)
+{
+    const double x[2] = {0, 1}, y[2] = {0, 1};
+    const TinkerCurve curve = {.x = x, .y = y, .count = 2};
+    const TinkerPlot plot = {.curves = &curve, .curve_count = 1, .x_label = "Time [s]", .enlargement = enlargement};
+    g_autoptr(TestPicture) picture = test_plot_draw(&plot);
+    g_autoptr(GPtrArray) written = tinker_written_texts_new();
+    tinker_plot_draw_noting(picture->cairo, &plot, TEST_PLOT_WIDTH, TEST_PLOT_HEIGHT, written);
+    for (guint n = 0; n < written->len; n++) {
+        const TinkerWrittenText *text = g_ptr_array_index(written, n);
+        if (g_str_equal(text->text, "Time [s]")) return text->box[3] - text->box[1];
+    }
+    g_assert_not_reached();
+}
+
+static void test_enlargement(void)
+{
+    g_assert_cmpfloat(height_of_label(1), ==, height_of_label(0));
+    g_assert_cmpfloat_with_epsilon(height_of_label(2) / height_of_label(1), 2, 0.15); /* heights are whole pixels */
+}
+
 static void test_degenerate(void)
 {
     const double x[3] = {1, 2, 3}, y[3] = {7, 7, 7}, gaps[3] = {NAN, 7, NAN}, none[3] = {NAN, NAN, NAN};
@@ -267,6 +289,7 @@ int main(int argc, char **argv)
     g_test_add_func("/render/plot/gap", test_gap);
     g_test_add_func("/render/plot/behind", test_behind);
     g_test_add_func("/render/plot/degenerate", test_degenerate);
+    g_test_add_func("/render/plot/enlargement", test_enlargement);
     g_test_add_func("/render/plot/band", test_band);
     g_test_add_func("/render/plot/band-with-gap", test_band_with_gap);
     return g_test_run();

@@ -238,13 +238,30 @@ static void arrange(TinkerPlotLayout *layout, double aside)
     }
 }
 
+static TinkerPlotSizes enlarged(const TinkerPlotSizes *sizes, double by)
+{
+    return (TinkerPlotSizes){.text = by * sizes->text,
+                             .title = by * sizes->title,
+                             .tick_text = by * sizes->tick_text,
+                             .pad = by * sizes->pad,
+                             .tick_gap = by * sizes->tick_gap,
+                             .label_room = by * sizes->label_room,
+                             .column = by * sizes->column,
+                             .row = by * sizes->row,
+                             .legend_row = by * sizes->legend_row,
+                             .legend_sample = by * sizes->legend_sample,
+                             .legend_inset = by * sizes->legend_inset};
+}
+
 void tinker_plot_lay_out(TinkerPlotLayout *layout, const TinkerPlot *plot, TinkerTextPen *pen, double width,
                          double height)
 {
     memset(layout, 0, sizeof *layout);
     layout->plot = plot;
     layout->theme = plot->theme ? plot->theme : tinker_theme_find("light");
-    layout->sizes = plot->compact ? &compact_sizes : &ordinary_sizes;
+    layout->own_sizes =
+        enlarged(plot->compact ? &compact_sizes : &ordinary_sizes, plot->enlargement > 0 ? plot->enlargement : 1);
+    layout->sizes = &layout->own_sizes;
     layout->pen = pen;
     layout->width = fmax(width, 4);
     layout->height = fmax(height, 4);

@@ -78,6 +78,7 @@ typedef struct {
 typedef struct {
     const TinkerPlot *plot;
     const TinkerTheme *theme;
+    TinkerPlotSizes own_sizes; /* of what is larger or smaller than the usual ones */
     const TinkerPlotSizes *sizes;
     TinkerTextPen *pen;
     double width, height;

@@ -50,7 +50,8 @@ typedef struct {
     const TinkerCurve *curves;
     int curve_count;
     const TinkerTheme *theme;
-    gboolean compact; /* for a small graph among others: smaller texts and margins, fewer ticks, a bare legend */
+    gboolean compact;   /* for a small graph among others: smaller texts and margins, fewer ticks, a bare legend */
+    double enlargement; /* of texts and the room about them, for those who sit far off; 0 or 1: none */
     /* Of a graph in a window */
     const double *cursor;             /* x of an upright line with a dot on every curve there: "now"; NULL: none */
     const TinkerPlotReading *reading; /* NULL: none */

@@ -17,6 +17,7 @@ void tinker_graph_plot_renew(TinkerGraphPlot *plot)
 
 void tinker_graph_plot_fill(TinkerGraphPlot *plot, TinkerPlot *picture)
 {
+    picture->enlargement = plot->picture.enlargement;
     picture->compact = plot->picture.width < COMPACT_WIDTH || plot->picture.height < COMPACT_HEIGHT;
     tinker_graph_data_fill_plot(plot->data, picture);
     if (tinker_graph_data_is_empty(plot->data)) return;

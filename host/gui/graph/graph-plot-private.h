@@ -13,7 +13,8 @@ typedef struct {
     int width, height, factor;
     const TinkerTheme *theme;
     gboolean quick;
-    guint64 revision; /* of the data */
+    double enlargement; /* of its texts, by the font of the widget */
+    guint64 revision;   /* of the data */
 } TinkerGraphPicture;
 
 typedef enum { TINKER_GRAPH_NO_DRAG, TINKER_GRAPH_BOX, TINKER_GRAPH_PAN } TinkerGraphDrag;

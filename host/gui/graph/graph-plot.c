@@ -107,7 +107,20 @@ static void look_again_later(TinkerGraphPlot *plot)
 static gboolean same_picture(const TinkerGraphPicture *a, const TinkerGraphPicture *b)
 {
     return a->width == b->width && a->height == b->height && a->factor == b->factor && a->theme == b->theme &&
-           a->quick == b->quick && a->revision == b->revision;
+           a->quick == b->quick && a->enlargement == b->enlargement && a->revision == b->revision;
+}
+
+/* How much larger the widget's font is than the desktop's, as on a projector. */
+static double enlargement_of(GtkWidget *widget)
+{
+    g_autofree char *name = NULL;
+    g_object_get(gtk_widget_get_settings(widget), "gtk-font-name", &name, NULL);
+    PangoFontDescription *usual = pango_font_description_from_string(name != NULL ? name : "");
+    const PangoFontDescription *own = pango_context_get_font_description(gtk_widget_get_pango_context(widget));
+    const double points = pango_font_description_get_size(usual), dots = pango_font_description_get_size(own);
+    const double size = pango_font_description_get_size_is_absolute(own) ? dots * 72 / 96 : dots;
+    pango_font_description_free(usual);
+    return points > 0 && size > points ? size / points : 1;
 }
 
 static void tinker_graph_plot_snapshot(GtkWidget *widget, GtkSnapshot *snapshot)
@@ -119,6 +132,7 @@ static void tinker_graph_plot_snapshot(GtkWidget *widget, GtkSnapshot *snapshot)
         .factor = gtk_widget_get_scale_factor(widget),
         .theme = tinker_desktop_theme(),
         .quick = tinker_player_state(plot->player) == TINKER_PLAYER_PLAYING,
+        .enlargement = enlargement_of(widget),
         .revision = tinker_graph_data_update(plot->data),
     };
     if (picture.width < 1 || picture.height < 1) return;
