@@ -12,7 +12,8 @@
 
 #define USUAL_WIDTH  210.0 /* widget units: what is looked for as room for a new one */
 #define USUAL_HEIGHT 104.0
-#define BAR_HEIGHT   64.0 /* likewise at the bottom, where a bar may float */
+#define FULL_HEIGHT  150.0 /* of a knob, which any control can become, about that of a dial, which any meter can */
+#define BAR_HEIGHT   64.0  /* likewise at the bottom, where a bar may float */
 #define NUDGE        10.0
 #define EDGE         4.0
 #define ROOMY_WIDTH  560.0 /* widget units of a canvas on which they have their full size, */
@@ -104,12 +105,13 @@ static gboolean tinker_instrument_layer_contains(GtkWidget *widget, double x, do
 void tinker_instrument_layer_find_room(TinkerInstrumentLayer *layer, double place[2])
 {
     const TinkerView *view = tinker_canvas_view(layer->canvas);
-    TinkerGraphBox box = {.width = USUAL_WIDTH, .height = USUAL_HEIGHT};
+    const double full = shrinkage(layer) * FULL_HEIGHT;
+    TinkerGraphBox box = {.width = shrinkage(layer) * USUAL_WIDTH, .height = full};
     g_autoptr(GArray) taken = tinker_graph_layer_taken(layer->graphs, tinker_player_frame(layer->player));
     for (guint i = 0; i < layer->views->len; i++) {
         double size[2], at[2];
         place_of(layer, g_ptr_array_index(layer->views, i), size, at);
-        const TinkerGraphBox other = {at[0], at[1], size[0], size[1]};
+        const TinkerGraphBox other = {at[0], at[1], size[0], fmax(size[1], full)};
         g_array_append_val(taken, other);
     }
     tinker_graph_find_room(&box, view->width, view->height - BAR_HEIGHT, (const TinkerGraphBox *)(gpointer)taken->data,

@@ -41,6 +41,24 @@ def test_added_by_the_menu(display):
         check("controls" not in app.saved(), "no control is left")
 
 
+def test_neither_covers_the_other_whatever_it_becomes(display):
+    """A meter and a control that are added one after the other are a dial and a knob afterwards, which are higher."""
+    with App(display, oscillator()) as app:
+        app.show_width()
+        app.click_world(0.13, 1.13, button=3)
+        app.choose("Add Meter", "Speed")
+        app.click_world(0.13, 1.13, button=3)
+        app.choose("Add Control", "Mass")
+        for name, kind in (("Meter of Bob: Speed", "Dial"), ("Control of Bob: Mass", "Knob")):
+            x, y, width, _ = app.settled(app.find(None, name))
+            app._click_at(x + width / 2, y + 8, button=3)
+            app.choose(kind)
+            wait(lambda: kind.lower() in str(app.saved()), f"a {kind} in the file")
+        meter, control = (app.settled(app.find(None, name)) for name in ("Meter of Bob: Speed", "Control of Bob: Mass"))
+        check(any(a[k] + a[k + 2] <= b[k] for k in (0, 1) for a, b in ((meter, control), (control, meter))),
+              f"{meter} is beside {control}")
+
+
 def test_added_by_the_property(display):
     with App(display, oscillator()) as app:
         app.show_width()
