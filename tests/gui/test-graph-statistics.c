@@ -92,6 +92,19 @@ static void test_digits(void)
 }
 
 /* Where there is no estimate the numbers say so. */
+/* Nothing damps it: of a damping ratio that is less than its error no digit is shown. */
+static void test_less_than_its_error(void)
+{
+    g_autoptr(GuiFixture) fixture = gui_fixture_new("");
+    gui_fixture_start_scene(fixture, COARSE);
+    run_whole(fixture);
+    g_autoptr(TinkerGraphData) data = graph_fixture_data(fixture);
+    const double early[2] = {0, 6};
+    g_autofree char *text = tinker_graph_statistics_text(data, early);
+    g_test_message("%s", text);
+    g_assert_nonnull(strstr(text, "Damping ratio = 0 ± "));
+}
+
 static void test_not_known(void)
 {
     g_autoptr(GuiFixture) fixture = gui_fixture_new("");
@@ -133,6 +146,7 @@ static void add_tests(void)
 {
     g_test_add_func("/gui/graph-statistics/error-of-run", test_error_of_run);
     g_test_add_func("/gui/graph-statistics/digits", test_digits);
+    g_test_add_func("/gui/graph-statistics/less-than-its-error", test_less_than_its_error);
     g_test_add_func("/gui/graph-statistics/bounces", test_bounces);
     g_test_add_func("/gui/graph-statistics/not-known", test_not_known);
 }

@@ -13,6 +13,10 @@
 static void append_value(GString *text, const TinkerStatistic *statistic)
 {
     const double size = fabs(statistic->value), error = statistic->error;
+    if (size < error) { /* no digit of it is known */
+        g_string_append_c(text, '0');
+        return;
+    }
     double digits = size > 0 && error > 0 ? floor(log10(size)) - floor(log10(error)) + 1 : LEAST_DIGITS;
     digits = CLAMP(digits, LEAST_DIGITS, MOST_DIGITS);
     g_string_append_printf(text, "%s%#.*g", statistic->value < 0 ? "−" : "", (int)digits, size);
