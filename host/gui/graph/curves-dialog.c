@@ -18,6 +18,7 @@ typedef struct {
     int number;
     GtkWindow *window;
     GtkWidget *list, *block, *quantity, *expression, *across, *upwards, *fault;
+    GStrv quantities; /* those that are listed, by their names in files */
     gboolean filling;
 } Dialog;
 
@@ -25,6 +26,7 @@ static void dialog_free(gpointer data)
 {
     Dialog *dialog = data;
     g_object_unref(dialog->document);
+    g_strfreev(dialog->quantities);
     g_free(dialog);
 }
 
@@ -145,20 +147,26 @@ static void on_block(Dialog *dialog)
     TinkerScene *scene = tinker_document_scene(dialog->document);
     TinkerBlockId block;
     if (chosen(dialog->block) == NULL || !tinker_scene_find_owner(scene, chosen(dialog->block), &block)) return;
-    g_auto(GStrv) names = tinker_scene_quantity_names(scene, block);
-    g_autoptr(GtkStringList) model = gtk_string_list_new((const char *const *)names);
+    g_strfreev(dialog->quantities);
+    dialog->quantities = tinker_scene_quantity_names(scene, block);
+    g_autoptr(GtkStringList) model = gtk_string_list_new(NULL);
+    for (char **name = dialog->quantities; *name != NULL; name++) {
+        const int32_t number = tinker_scene_find_quantity(scene, block, *name);
+        gtk_string_list_append(model, tinker_translate(tinker_scene_quantity_type(scene, block, number).title));
+    }
     gtk_drop_down_set_model(GTK_DROP_DOWN(dialog->quantity), G_LIST_MODEL(model));
 }
 
 /* With a unit of its own a curve goes to the other axis. */
 static void on_add_quantity(Dialog *dialog)
 {
-    TinkerSceneCurve curve = {
-        .block = (char *)chosen(dialog->block), .quantity = (char *)chosen(dialog->quantity), .axis = 1};
+    const guint place = gtk_drop_down_get_selected(GTK_DROP_DOWN(dialog->quantity));
+    TinkerSceneCurve curve = {.block = (char *)chosen(dialog->block), .axis = 1};
     const TinkerSceneCurve *first = tinker_scene_graph_curve(graph_of(dialog));
     TinkerScene *scene = tinker_document_scene(dialog->document);
     TinkerBlockId mine, its;
-    if (curve.block == NULL || curve.quantity == NULL) return;
+    if (curve.block == NULL || place == GTK_INVALID_LIST_POSITION) return;
+    curve.quantity = dialog->quantities[place];
     if (first != NULL && tinker_scene_find_owner(scene, first->block, &its) &&
         tinker_scene_find_owner(scene, curve.block, &mine)) {
         const int32_t a = tinker_scene_find_quantity(scene, its, first->quantity),

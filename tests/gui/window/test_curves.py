@@ -52,6 +52,16 @@ def test_quantities_of_two_blocks(display):
         check_equal([curve.get("quantity") for curve in curves(app)], ["y"], "quantities after undo")
 
 
+def test_quantities_have_the_names_of_all_lists(display):
+    """Titles as in menus, not the names in files."""
+    with App(display, falling()) as app:
+        dialog = open_dialog(app)
+        add_quantity(app, dialog, "Ball", "Y Velocity")
+        app.find("button", re.compile("^Remove Ball.vy"), inside=dialog)
+        close_dialog(app)
+        check_equal(curves(app)[1]["quantity"], "vy", "quantity in the file")
+
+
 def test_what_is_measured_stays_with_other_curves(display):
     with App(display, falling()) as app:
         app.click("Play")
