@@ -193,11 +193,6 @@ __attribute__((target("avx2"))) static void run_block_avx2(const TinkerCompiled 
 }
 #endif
 
-static void run_block_plain(const TinkerCompiled *compiled, double *const *entry, gssize lanes)
-{
-    run_block(compiled, entry, lanes);
-}
-
 static void run_block_anywhere(const TinkerCompiled *compiled, double *const *entry, gssize lanes)
 {
 #if defined(__x86_64__)
@@ -206,7 +201,7 @@ static void run_block_anywhere(const TinkerCompiled *compiled, double *const *en
         return;
     }
 #endif
-    run_block_plain(compiled, entry, lanes);
+    run_block(compiled, entry, lanes);
 }
 
 /* The memory of a block: columns of the caller's, and columns here. */
@@ -284,37 +279,42 @@ gboolean tinker_compiled_values(const TinkerCompiled *compiled, const TinkerColu
     return TRUE;
 }
 
-/* A column of few; a call of the C library would take longer. */
-KEEP_LOOPS static gboolean copy_few(const double *column, int count, double *results)
+gboolean tinker_compiled_has_row(const TinkerCompiled *compiled, int count)
+{
+    return fits(compiled) && count <= LANES;
+}
+
+/* A call of the C library would take longer than these loops. */
+KEEP_LOOPS static void copy_few(const double *column, int count, double *results)
 {
     for (int i = 0; i < count; i++)
         results[i] = column[i];
-    return TRUE;
+}
+
+KEEP_LOOPS static void fill_few(double *column, int count, double value)
+{
+    for (int i = 0; i < count; i++)
+        column[i] = value;
 }
 
 /* As little as can be: nothing is laid out but where all columns are. */
-KEEP_LOOPS gboolean tinker_compiled_row(const TinkerCompiled *compiled, const double *const *arguments,
-                                        const double *numbers, int count, double *results)
+KEEP_LOOPS void tinker_compiled_row(const TinkerCompiled *compiled, const double *const *arguments,
+                                    const double *uniform, const double *numbers, int count, double *results)
 {
-    double own[MOST_REGISTERS][LANES], *entry[TINKER_TYPED_MOST_ARGUMENTS + MOST_NUMBERS + MOST_REGISTERS];
-    double **next = entry;
-    if (!fits(compiled) || count > LANES) return FALSE;
+    double own[MOST_REGISTERS][LANES], alike[TINKER_TYPED_MOST_ARGUMENTS][LANES];
+    double *entry[TINKER_TYPED_MOST_ARGUMENTS + MOST_NUMBERS + MOST_REGISTERS], **next = entry;
     for (int i = 0; i < compiled->arguments; i++) {
-        if (arguments[i] == NULL) return FALSE;
-        *next++ = (double *)arguments[i];
+        if (arguments[i] == NULL) fill_few(alike[i], count, uniform[i]);
+        *next++ = arguments[i] != NULL ? (double *)arguments[i] : alike[i];
     }
     for (int i = 0; i < compiled->numbers; i++, numbers += count)
         *next++ = (double *)numbers;
-    if (compiled->steps == 0) return copy_few(entry[compiled->answer], count, results);
+    if (compiled->steps == 0) {
+        copy_few(entry[compiled->answer], count, results);
+        return;
+    }
     for (int i = 0; i < compiled->registers; i++)
         *next++ = own[i];
     entry[compiled->answer] = results;
-#if defined(__x86_64__)
-    if (__builtin_cpu_supports("avx2")) {
-        run_block_avx2(compiled, entry, count);
-        return TRUE;
-    }
-#endif
-    run_block_plain(compiled, entry, count);
-    return TRUE;
+    run_block_anywhere(compiled, entry, count);
 }

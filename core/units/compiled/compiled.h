@@ -30,11 +30,13 @@ typedef struct {
  * FALSE: the program is too large for that. */
 gboolean tinker_compiled_values(const TinkerCompiled *compiled, const TinkerColumns *columns, double *results);
 
-/* As tinker_compiled_values, of a few places that each have numbers of their own, all of `count` places beside one
- * another. FALSE: also where there are more than a few, or an argument has no column, or there is nothing to work out.
+/* Whether there is a shorter way for so many places, which are to be few. */
+gboolean tinker_compiled_has_row(const TinkerCompiled *compiled, int count);
+
+/* It: as tinker_compiled_values of places that each have numbers of their own, all `count` of one number side by side.
  */
-gboolean tinker_compiled_row(const TinkerCompiled *compiled, const double *const *arguments, const double *numbers,
-                             int count, double *results);
+void tinker_compiled_row(const TinkerCompiled *compiled, const double *const *arguments, const double *uniform,
+                         const double *numbers, int count, double *results);
 
 /* Encloses the values over a box of arguments, one interval each. TRUE: it is gentle there, so that a few places tell
  * its course. FALSE: something switches, or runs through much of its course, or is nowhere a number. */

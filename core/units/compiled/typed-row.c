@@ -10,8 +10,9 @@ struct _TinkerTypedRow {
     int users, count;
     TinkerTypedLaw **place; /* where they are told of: that of member i at i * stride. Borrowed, and perhaps gone */
     int stride;
-    int programs;     /* of each member: the value, the slopes, the curvatures */
-    double **numbers; /* by program; of each by number, then by member */
+    int programs;      /* of each member: the value, the slopes, the curvatures */
+    gboolean is_short; /* all have the shorter way for so many (tinker_compiled_has_row) */
+    double **numbers;  /* by program; of each by number, then by member */
     struct TinkerTypedLaw member[];
 };
 
@@ -24,6 +25,11 @@ static const TinkerCompiled *program_at(const TinkerTypedLaw *law, int which)
 {
     if (which == 0) return law->value;
     return which <= law->count ? law->slopes[which - 1] : law->curvatures[which - 1 - law->count];
+}
+
+static inline int which_of(const TinkerTypedLaw *law, int by, int and_by)
+{
+    return by < 0 ? 0 : and_by < 0 ? 1 + by : 1 + law->count + by * law->count + and_by;
 }
 
 static gboolean are_alike(const TinkerTypedLaw *a, const TinkerTypedLaw *b)
@@ -62,8 +68,11 @@ static void put_into_row(TinkerTypedLaw **laws, int stride, int count)
         laws[i * stride] = &row->member[i];
     }
     row->numbers = g_new(double *, (gsize)row->programs);
-    for (int which = 0; which < row->programs; which++)
+    row->is_short = TRUE;
+    for (int which = 0; which < row->programs; which++) {
         row->numbers[which] = numbers_of(row, which);
+        row->is_short = row->is_short && tinker_compiled_has_row(program_at(row->member, which), count);
+    }
 }
 
 void tinker_typed_join(TinkerTypedLaw **laws, int stride, int count)
@@ -145,9 +154,10 @@ static void ask_one_by_one(const TinkerTypedQuestion *question, int first, int c
 }
 
 /* Answers those from `first` on that can be asked in one way, and says how many they were. */
-static G_NO_INLINE int ask_run(const TinkerTypedQuestion *question, int first, int which, double *results)
+static G_NO_INLINE int ask_run(const TinkerTypedQuestion *question, int first, int by, int and_by, double *results)
 {
     const TinkerTypedLaw *const *laws = question->laws + (gssize)first * question->stride, *law = *laws;
+    const int which = which_of(law, by, and_by);
     gboolean one;
     const int count = run_of(question, laws, question->count - first, &one);
     if (!ask_together(question, law, first, count, one, which, results))
@@ -173,17 +183,17 @@ static int next_law(const TinkerTypedQuestion *question, int first)
     return first;
 }
 
-static G_NO_INLINE void ask_runs(const TinkerTypedQuestion *question, int which, double *results)
+static G_NO_INLINE void ask_runs(const TinkerTypedQuestion *question, int by, int and_by, double *results)
 {
     for (int first = next_law(question, 0); first < question->count; first = next_law(question, first))
-        first += ask_run(question, first, which, results);
+        first += ask_run(question, first, by, and_by, results);
 }
 
-/* Whether it is to all of a row, as they are told of: so a batch asks. */
-static inline gboolean is_to_row(const TinkerTypedQuestion *question, const TinkerTypedRow *row)
+/* Whether it is to all of a row, as they are told of, and few: so a batch asks. */
+static inline gboolean is_to_short_row(const TinkerTypedQuestion *question, const TinkerTypedRow *row)
 {
     return row != NULL && (const TinkerTypedLaw *const *)row->place == question->laws &&
-           row->stride == question->stride && row->count == question->count;
+           row->stride == question->stride && row->count == question->count && row->is_short;
 }
 
 /* Of few laws, what comes before they are worked out takes as long as that: so there is a short way for what is asked
@@ -191,15 +201,11 @@ static inline gboolean is_to_row(const TinkerTypedQuestion *question, const Tink
 void tinker_typed_ask(const TinkerTypedQuestion *question, int by, int and_by, double *results)
 {
     const TinkerTypedLaw *law = question->laws[0];
-    if (law == NULL) {
-        const int first = next_law(question, 0);
-        if (first >= question->count) return;
-        law = question->laws[(gssize)first * question->stride];
-    }
-    const TinkerTypedRow *row = law->row;
-    const int which = by < 0 ? 0 : and_by < 0 ? 1 + by : 1 + law->count + by * law->count + and_by;
-    if (is_to_row(question, row) &&
-        tinker_compiled_row(program_at(law, which), question->arguments, row->numbers[which], row->count, results))
+    if (law == NULL || !is_to_short_row(question, law->row)) {
+        ask_runs(question, by, and_by, results);
         return;
-    ask_runs(question, which, results);
+    }
+    const int which = which_of(law, by, and_by);
+    tinker_compiled_row(program_at(law, which), question->arguments, question->uniform, law->row->numbers[which],
+                        question->count, results);
 }
