@@ -7,8 +7,8 @@
 #include "gui/window/event-marks.h"
 #include "gui/window/window-parts.h"
 
-#define EVERY_MS 200 /* while it is recorded */
-#define MOST     2000
+#define EVERY_MS 200       /* while it is recorded */
+#define MOST     120       /* of more, none could be told from another, nor be clicked */
 #define EXTREMA  "extrema" /* data of the window */
 
 typedef struct {
@@ -40,8 +40,8 @@ static void show_marks(Extrema *extrema, const TinkerGraphSeries *series)
 {
     g_autoptr(GPtrArray) maxima = g_ptr_array_new_with_free_func((GDestroyNotify)tinker_run_event_free);
     g_autoptr(GPtrArray) minima = g_ptr_array_new_with_free_func((GDestroyNotify)tinker_run_event_free);
-    g_autoptr(GArray) found = series != NULL ? tinker_graph_reading_extrema(series, MOST) : NULL;
-    for (guint i = 0; found != NULL && i < found->len; i++) {
+    g_autoptr(GArray) found = series != NULL ? tinker_graph_reading_extrema(series, MOST + 1) : NULL;
+    for (guint i = 0; found != NULL && found->len <= MOST && i < found->len; i++) {
         const TinkerGraphReading *reading = &g_array_index(found, TinkerGraphReading, i);
         add_mark(reading->kind == TINKER_READING_MAXIMUM ? maxima : minima, series, reading);
     }

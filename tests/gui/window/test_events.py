@@ -110,5 +110,27 @@ def test_extrema_of_the_curve_worked_at(display):
         wait(lambda: app.time() == 1, "the time of the maximum, not that of the pointer beside its mark")
 
 
+def test_more_extrema_than_can_be_told_apart_are_not_marked(display):
+    """cos(w t) with w = 2 pi / 0.1 s has 59 maxima and 60 minima in 5.98 s, and 20 more a second later. Another curve of one
+    minimum is looked at first, whose mark goes."""
+    def swing(name, x, stiffness):
+        return ({"type": "support", "name": f"Wall of {name}", "position": [-3, x], "solid": False},
+                mass(name, 0, x, mass=1),
+                {"type": "spring", "name": f"Spring of {name}", "ends": [f"Wall of {name}", name], "stiffness": stiffness,
+                 "rest_length": 2})
+
+    for duration, told in ((5.98, "and 99 more"), (6.98, "")):
+        content = scene(*swing("Fast", 0, 3947.841760435743), *swing("Slow", 2, 0.6), duration=duration,
+                        graphs=[{"block": name, "quantity": "x"} for name in ("Fast", "Slow")])
+        with App(display, content) as app:
+            app.activate("go-to", duration)
+            wait(lambda: app.time() == duration, "the end")
+            line = app.find("slider", "Time line")
+            app.click(app.find(None, re.compile("^Graph of Slow")))
+            wait(lambda: line.refreshed().description.endswith("(minimum)"), "the mark of the slow one")
+            app.click(app.find(None, re.compile("^Graph of Fast")))
+            wait(lambda: line.refreshed().description.split("\n")[-1] == told, f"“{told}”")
+
+
 if __name__ == "__main__":
     main()
