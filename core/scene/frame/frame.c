@@ -506,9 +506,10 @@ gboolean tinker_frame_has_spans(const TinkerFrame *frame)
     return frame->spans != NULL;
 }
 
-void tinker_frame_note_spans(TinkerFrame *frame)
+gboolean tinker_frame_note_spans(TinkerFrame *frame)
 {
     int32_t count;
+    gboolean grew = FALSE;
     const TinkerBlockId *blocks = tinker_spans_blocks(frame->spans, &count);
     for (int32_t i = 0; i < count; i++) {
         const Location *location = &frame->locations[blocks[i]];
@@ -518,8 +519,9 @@ void tinker_frame_note_spans(TinkerFrame *frame)
         if (location->batch->end_offsets[location->row + 1] < first + 2) continue;
         end_place(frame, &location->batch->end[first], &a);
         end_place(frame, &location->batch->end[first + 1], &b);
-        tinker_spans_note(frame->spans, i, hypot(b.x - a.x, b.y - a.y));
+        grew |= tinker_spans_note(frame->spans, i, hypot(b.x - a.x, b.y - a.y));
     }
+    return grew;
 }
 
 void tinker_frame_forget_spans(TinkerFrame *frame)

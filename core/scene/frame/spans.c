@@ -41,9 +41,11 @@ const TinkerBlockId *tinker_spans_blocks(const TinkerSpans *spans, int32_t *coun
     return spans == NULL ? NULL : (const TinkerBlockId *)(const void *)spans->blocks->data;
 }
 
-void tinker_spans_note(TinkerSpans *spans, int32_t number, double distance)
+gboolean tinker_spans_note(TinkerSpans *spans, int32_t number, double distance)
 {
-    if (distance > spans->distances[number]) spans->distances[number] = distance;
+    if (!(distance > spans->distances[number])) return FALSE;
+    spans->distances[number] = distance;
+    return TRUE;
 }
 
 double tinker_spans_of(const TinkerSpans *spans, TinkerBlockId block)

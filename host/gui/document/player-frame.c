@@ -6,7 +6,8 @@
 #include "gui/document/recorded-quantities.h"
 #include "scene/frame/tops.h"
 
-#define MOST_SPANNED 2000 /* samples a picture that spans are taken from */
+#define MOST_SPANNED  50000 /* blocks times samples that spans are taken from at once: some milliseconds */
+#define SPANS_LAG_MS 100   /* until what has been recorded meanwhile is looked at */
 
 guint player_signals[PLAYER_SIGNALS];
 
@@ -83,21 +84,39 @@ static void note_paths(TinkerPlayer *player)
     }
 }
 
+/* What is shown when nothing moves is not drawn again for what is recorded: but where a span has grown by it. */
+static gboolean on_spans_lag(gpointer data)
+{
+    TinkerPlayer *player = data;
+    player->span_timer = 0;
+    if (player->frame == NULL) return G_SOURCE_REMOVE;
+    player->spans_grew = FALSE;
+    player_update_frame(player);
+    if (player->spans_grew) g_signal_emit(player, player_signals[PLAYER_MOVED], 0);
+    return G_SOURCE_REMOVE;
+}
+
 /* Takes the frame through what has been recorded since, however far it is ahead of what is shown: spans are those of
- * the whole run. So many samples at once that no picture waits for them. */
+ * the whole run. So much at once that no picture waits for it, and the rest a moment later. */
 static void note_spans(TinkerPlayer *player)
 {
     if (!tinker_frame_has_spans(player->frame)) return;
-    int left = MOST_SPANNED;
-    for (; player->span_segment < player->recording.segments->len; player->span_segment++, player->span_row = 0) {
+    const guint segments = player->recording.segments->len;
+    int left = MAX(MOST_SPANNED / MAX(tinker_scene_block_count(tinker_frame_scene(player->frame)), 1), 1);
+    gboolean lag = FALSE;
+    for (; player->span_segment < segments; player->span_segment++, player->span_row = 0) {
         TinkerRunTask *task = player_segment(player, player->span_segment)->task;
+        const gboolean is_last = player->span_segment + 1 == segments;
         gsize last;
-        if (!tinker_run_task_find(task, tinker_recording_end(&player->recording, player->span_segment), &last)) return;
+        lag = is_last && !tinker_run_task_status(task).finished; /* asked first: rows that come meanwhile are seen */
+        if (!tinker_run_task_find(task, tinker_recording_end(&player->recording, player->span_segment), &last)) break;
         for (; player->span_row <= last && left > 0; player->span_row++, left--)
             if (tinker_recording_place_sample(player->frame, task, player->span_row))
-                tinker_frame_note_spans(player->frame);
-        if (left == 0 || player->span_segment + 1 == player->recording.segments->len) return;
+                player->spans_grew |= tinker_frame_note_spans(player->frame);
+        lag |= player->span_row <= last;
+        if (is_last || player->span_row <= last) break;
     }
+    if (lag && player->span_timer == 0) player->span_timer = g_timeout_add(SPANS_LAG_MS, on_spans_lag, player);
 }
 
 void player_note_anew(TinkerPlayer *player, guint segment)

@@ -23,6 +23,8 @@ struct _TinkerPlayer {
     gsize path_row;     /* is noted */
     guint span_segment; /* and up to where its spans are those of the record */
     gsize span_row;
+    gboolean spans_grew; /* when samples were noted last */
+    guint span_timer;    /* until more samples are noted; 0 */
     GArray *asked;     /* of TinkerQuantity: asked for in vain */
     GPtrArray *events; /* of TinkerRunEvent *: of this generation, when there were so many in all tasks */
     guint events_generation, events_counted;

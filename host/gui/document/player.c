@@ -154,6 +154,7 @@ gboolean tinker_player_wait(TinkerPlayer *player, double time, GError **error)
 static void tinker_player_finalize(GObject *object)
 {
     TinkerPlayer *player = TINKER_PLAYER(object);
+    g_clear_handle_id(&player->span_timer, g_source_remove);
     g_clear_pointer(&player->frame, tinker_frame_free);
     tinker_recording_forget(&player->recording);
     tinker_recording_clear(&player->recording);
