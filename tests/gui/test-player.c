@@ -115,28 +115,65 @@ static void test_step_and_seek(void)
     player_assert_close(player_height(fixture), 1, 0);
 }
 
-/* Along the line of a slot a mass swings with amplitude v/omega = 0.5 m about the slot's end: that is its span at every
- * time that is shown, as soon as the run is recorded, and none of it before. */
-static void test_spans(void)
+/* Along the line of a slot a mass swings with amplitude v/omega = 0.5 m about the slot's end. */
+#define SLOT_BLOCKS                                                                                                    \
+    "{'type': 'support', 'name': 'A', 'position': [4, 0]}, {'type': 'support', 'name': 'S', 'position': [0, 0]},"      \
+    "{'type': 'mass', 'name': 'M', 'position': [0, 0], 'velocity': [2.5, 0]},"                                         \
+    "{'type': 'spring', 'name': 'K', 'ends': ['A', 'M'], 'stiffness': 25, 'rest_length': 4},"                          \
+    "{'type': 'slot', 'name': 'G', 'ends': ['S', 'M']}]"
+
+static TinkerInstance slot_shown(PlayerFixture *fixture)
 {
-    g_autoptr(PlayerFixture) fixture = player_fixture_new(
-        "'run': {'duration': 4, 'interval': 0.01}, 'blocks': ["
-        "{'type': 'support', 'name': 'A', 'position': [4, 0]}, {'type': 'support', 'name': 'S', 'position': [0, 0]},"
-        "{'type': 'mass', 'name': 'M', 'position': [0, 0], 'velocity': [2.5, 0]},"
-        "{'type': 'spring', 'name': 'K', 'ends': ['A', 'M'], 'stiffness': 25, 'rest_length': 4},"
-        "{'type': 'slot', 'name': 'G', 'ends': ['S', 'M']}]");
     const TinkerBlockId slot = tinker_scene_find_block(tinker_document_scene(fixture->document), "G");
     TinkerInstance instance;
     g_assert_true(tinker_frame_instance(tinker_player_frame(fixture->player), slot, &instance));
-    g_assert_cmpfloat(instance.span, ==, 0);
+    return instance;
+}
+
+/* So long in the main loop, in which nothing is played or sought. */
+static void look_on(double seconds)
+{
+    for (const gint64 until = g_get_monotonic_time() + (gint64)(1e6 * seconds); g_get_monotonic_time() < until;
+         g_usleep(1000))
+        while (g_main_context_iteration(NULL, FALSE)) {
+        }
+}
+
+/* The amplitude is the span at every time that is shown, as soon as the run is recorded, and none of it before. */
+static void test_spans(void)
+{
+    g_autoptr(PlayerFixture) fixture =
+        player_fixture_new("'run': {'duration': 4, 'interval': 0.01}, 'blocks': [" SLOT_BLOCKS);
+    g_assert_cmpfloat(slot_shown(fixture).span, ==, 0);
     player_play(fixture);
     player_wait_until(fixture, 4);
     for (int i = 0; i < 3; i++) {
         tinker_player_seek(fixture->player, i);
-        g_assert_true(tinker_frame_instance(tinker_player_frame(fixture->player), slot, &instance));
+        const TinkerInstance instance = slot_shown(fixture);
         player_assert_close(instance.span, 0.5, 0.5 * (1 - cos(OMEGA * 0.005)) + CLOSE);
         player_assert_close(fabs(instance.end[1].x - instance.end[0].x), fabs(0.5 * sin(OMEGA * i)), CLOSE);
     }
+}
+
+/* With a spring of hundred times the stiffness from t = 0.1 s on, where x = sin(0.5)/2, it never comes as far as it
+ * would have: of the run that was recorded up to its end nothing beyond that time stays. It is told while time stands
+ * still. */
+static void test_spans_of_another_future(void)
+{
+    g_autoptr(PlayerFixture) fixture =
+        player_fixture_new("'run': {'duration': 4, 'interval': 0.001}, 'blocks': [" SLOT_BLOCKS);
+    player_play(fixture);
+    player_wait_until(fixture, 4);
+    tinker_player_pause(fixture->player);
+    tinker_player_seek(fixture->player, 0.1);
+    look_on(0.5);
+    player_assert_close(slot_shown(fixture).span, 0.5, 1e-5);
+    gui_fixture_set(fixture->base, "K", "stiffness", 2500, 0);
+    player_wait_until(fixture, 4);
+    look_on(0.5);
+    g_assert_cmpint(tinker_player_state(fixture->player), ==, TINKER_PLAYER_PAUSED);
+    const double omega = 10 * OMEGA, x = 0.5 * sin(0.5), v = 2.5 * cos(0.5), amplitude = hypot(x, v / omega);
+    player_assert_close(slot_shown(fixture).span, amplitude, amplitude * (1 - cos(omega * 0.0005)) + CLOSE);
 }
 
 /* The first sample need not be there yet when the next is asked for. */
@@ -236,6 +273,7 @@ static void add_tests(void)
     g_test_add_func("/player/speed", test_speed);
     g_test_add_func("/player/step-and-seek", test_step_and_seek);
     g_test_add_func("/player/spans", test_spans);
+    g_test_add_func("/player/spans-of-another-future", test_spans_of_another_future);
     g_test_add_func("/player/steps-in-a-row", test_steps_in_a_row);
     g_test_add_func("/player/series", test_series);
     g_test_add_func("/player/long-series", test_long_series);

@@ -44,7 +44,7 @@ static gboolean continue_from_now(TinkerPlayer *player)
         tinker_run_task_stop(player_segment(player, i)->task);
     g_array_set_size(player->recording.segments, keep);
     player->recording.generation++;
-    player_note_anew(player, keep); /* it was up to here, as the frame was made anew */
+    player_note_anew(player, keep); /* the frame is made anew: its paths reach up to here, its spans beyond */
     TinkerSegment *before = player_segment(player, keep - 1);
     if (before->scene == NULL) before->scene = tinker_scene_copy(player->ran);
     TinkerScene *from_here = tinker_scene_copy(continued);
@@ -118,7 +118,6 @@ static gboolean record_anew(TinkerPlayer *player)
     if (!player_can_run(player, &culprit, NULL)) return FALSE;
     player_record_from_start(player);
     player_note_anew(player, 0);
-    if (player->frame != NULL) tinker_frame_forget_spans(player->frame);
     if (player->state == TINKER_PLAYER_SETUP) player_set_state(player, TINKER_PLAYER_PAUSED);
     return TRUE;
 }
@@ -128,7 +127,7 @@ gboolean tinker_player_run_anew(TinkerPlayer *player)
     if (!record_anew(player)) return FALSE;
     player->step_to = player->time;
     player_set_state(player, TINKER_PLAYER_PLAYING);
-    g_signal_emit(player, player_signals[PLAYER_MOVED], 0);
+    player_moved(player);
     return TRUE;
 }
 
@@ -154,14 +153,14 @@ void player_on_changed(TinkerPlayer *player)
         player->trial && !on_the_way && (player->ran == NULL || difference != TINKER_DIFFERENCE_DRAWING);
     if (ended && !tries && tinker_player_run_anew(player)) return;
     if (tries && record_anew(player)) {
-        g_signal_emit(player, player_signals[PLAYER_MOVED], 0);
+        player_moved(player);
         return;
     }
     if (difference == TINKER_DIFFERENCE_START || (difference == TINKER_DIFFERENCE_TUNABLE && !under_way))
         rewind_after_edit(player);
     else if (difference == TINKER_DIFFERENCE_TUNABLE && !continue_from_now(player))
         rewind_after_edit(player);
-    g_signal_emit(player, player_signals[PLAYER_MOVED], 0);
+    player_moved(player);
 }
 
 void player_on_replaced(TinkerPlayer *player)

@@ -6,7 +6,7 @@
 #include "gui/document/recorded-quantities.h"
 #include "scene/frame/tops.h"
 
-#define MOST_SPANNED  50000 /* blocks times samples that spans are taken from at once: some milliseconds */
+#define MOST_SPANNED 50000 /* blocks times samples that spans are taken from at once: some milliseconds */
 #define SPANS_LAG_MS 100   /* until what has been recorded meanwhile is looked at */
 
 guint player_signals[PLAYER_SIGNALS];
@@ -122,8 +122,9 @@ static void note_spans(TinkerPlayer *player)
 void player_note_anew(TinkerPlayer *player, guint segment)
 {
     player->path_segment = MIN(player->path_segment, segment);
-    player->span_segment = MIN(player->span_segment, segment);
     player->path_row = player->span_row = 0;
+    player->span_segment = 0;
+    if (player->frame != NULL) tinker_frame_forget_spans(player->frame);
 }
 
 void player_update_frame(TinkerPlayer *player)

@@ -25,8 +25,8 @@ struct _TinkerPlayer {
     gsize span_row;
     gboolean spans_grew; /* when samples were noted last */
     guint span_timer;    /* until more samples are noted; 0 */
-    GArray *asked;     /* of TinkerQuantity: asked for in vain */
-    GPtrArray *events; /* of TinkerRunEvent *: of this generation, when there were so many in all tasks */
+    GArray *asked;       /* of TinkerQuantity: asked for in vain */
+    GPtrArray *events;   /* of TinkerRunEvent *: of this generation, when there were so many in all tasks */
     guint events_generation, events_counted;
 };
 
@@ -48,7 +48,8 @@ void player_record_from_start(TinkerPlayer *player);
 /* The frame as it is at the time shown; made anew where the scene is another. */
 void player_update_frame(TinkerPlayer *player);
 void player_renew_frame(TinkerPlayer *player);
-/* What the frame notes of the record is noted anew, from the start of this segment on. */
+/* What the frame notes of the record is noted anew: paths from the start of this segment on, spans from that of the
+ * run, as what has been longest may be in what is no longer true. */
 void player_note_anew(TinkerPlayer *player, guint segment);
 /* Tells that the time shown is another. */
 void player_moved(TinkerPlayer *player);
