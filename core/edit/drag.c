@@ -243,13 +243,20 @@ static void connect_end(TinkerDrag *drag, gboolean at_point)
     tinker_history_set_end(drag->history, drag->hit.block, drag->hit.part, to, NULL);
 }
 
+static gboolean is_end_of_body(const TinkerDrag *drag)
+{
+    TinkerInstance instance;
+    g_autoptr(TinkerFrame) frame = look(drag, &instance);
+    return frame != NULL && edit_is_handle_of_end(frame, drag->hit);
+}
+
 void tinker_drag_end(TinkerDrag *drag, gboolean at_point, double reach)
 {
     if (drag->moved) {
         if (drag->target != TINKER_NO_BLOCK) connect_end(drag, at_point);
         if (drag->hit.part == TINKER_PART_WHOLE && reach > 0)
             tinker_snap_onto_top(drag->history, drag->scene, drag->hit.block, reach);
-        if (edit_sizes(drag->hit) && reach > 0) {
+        if (reach > 0 && is_end_of_body(drag)) {
             const double place[2] = {drag->pointer[0] + drag->grip[0], drag->pointer[1] + drag->grip[1]};
             tinker_snap_end_onto_top(drag->history, drag->scene, drag->hit.block, place, reach);
         }

@@ -25,6 +25,10 @@ int32_t edit_handles(const TinkerBlockClass *block_class, const TinkerInstance *
  * origin. */
 gboolean edit_sizes(TinkerHit hit);
 
+/* Whether this is a handle of an end of a long body that turns: one of two that are at both ends of its axis, as a bar
+ * has them. A corner of a box is none. */
+gboolean edit_is_handle_of_end(TinkerFrame *frame, TinkerHit hit);
+
 /* The blocks under a point that the ends of this connector's type would accept, from the top of the picture down; at
  * most `room`. */
 int32_t edit_hit_connectables(TinkerFrame *frame, TinkerBlockId connector, double x, double y, double reach,

@@ -7,7 +7,8 @@
 #include "edit/edit-private.h"
 #include "scene/frame/drawing-order.h"
 
-#define MOST_UNDER 16 /* bodies under a point that are looked at */
+#define MOST_UNDER 16   /* bodies under a point that are looked at */
+#define AT_END     1e-6 /* of the length of a body: as far off is still at the end of it */
 
 static gboolean is_placed(const TinkerInstance *instance)
 {
@@ -39,6 +40,34 @@ gboolean edit_sizes(TinkerHit hit)
 {
     return hit.block != TINKER_NO_BLOCK && hit.part >= TINKER_PART_HANDLE && hit.part < TINKER_PART_POINT &&
            hit.part != TINKER_HANDLE_ROTATION && hit.part != TINKER_HANDLE_LOCAL_ORIGIN;
+}
+
+/* Whether one of the handles is at this place of the block's own. */
+static gboolean has_handle_at(const TinkerHandle *handles, int32_t count, const TinkerFrame *frame, TinkerBlockId block,
+                              double x, double size, int32_t *part)
+{
+    for (int32_t i = 0; i < count; i++) {
+        double own[2];
+        tinker_frame_to_own(frame, block, (const double[]){handles[i].x, handles[i].y}, own);
+        *part = handles[i].part;
+        if (hypot(own[0] - x, own[1]) <= AT_END * size) return TRUE;
+    }
+    return FALSE;
+}
+
+gboolean edit_is_handle_of_end(TinkerFrame *frame, TinkerHit hit)
+{
+    TinkerInstance instance;
+    TinkerHandle handles[MOST_HANDLES];
+    int32_t start, end;
+    if (!edit_sizes(hit) || !edit_has_ends(frame, hit.block) || !tinker_frame_instance(frame, hit.block, &instance))
+        return FALSE;
+    const double width = tinker_frame_meaning(frame, hit.block, TINKER_MEANING_WIDTH, 0, 0);
+    const int32_t count =
+        edit_handles(tinker_scene_block_class(tinker_frame_scene(frame), hit.block), &instance, handles, MOST_HANDLES);
+    return has_handle_at(handles, count, frame, hit.block, -width / 2, width, &start) &&
+           has_handle_at(handles, count, frame, hit.block, width / 2, width, &end) &&
+           (hit.part == start || hit.part == end);
 }
 
 static gboolean is_body(const TinkerBlockClass *block_class)
@@ -133,7 +162,7 @@ static TinkerBlockId first_of_ends(TinkerScene *scene, TinkerBlockId connector)
 TinkerHit tinker_hit_to_drag(TinkerFrame *frame, TinkerHit hit, double x, double y, double reach)
 {
     TinkerInstance instance;
-    if (edit_sizes(hit) && edit_has_ends(frame, hit.block) && edit_is_jointed(tinker_frame_scene(frame), hit.block))
+    if (edit_is_handle_of_end(frame, hit) && edit_is_jointed(tinker_frame_scene(frame), hit.block))
         return (TinkerHit){hit.block, TINKER_PART_WHOLE};
     if (hit.block == TINKER_NO_BLOCK || hit.part != TINKER_PART_WHOLE ||
         !tinker_frame_instance(frame, hit.block, &instance) || !all_attached(&instance, INFINITY))

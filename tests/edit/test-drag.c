@@ -475,6 +475,33 @@ static void test_jointed_bar_is_not_sized(Stage *stage, gconstpointer data)
     }
 }
 
+/* A corner of a long box is no end: a pin in its middle does not keep it from being sized by it, and near a top it
+ * stays where it is dropped, whatever the angle. */
+static void test_corner_of_long_box(Stage *stage, gconstpointer data)
+{
+    g_autoptr(TinkerScene) scene = scene_fixture_read_blocks(
+        "{\"type\": \"support\", \"name\": \"Floor\", \"position\": [0, -0.2], \"width\": 8, \"height\": 0.4},"
+        "{\"type\": \"support\", \"name\": \"Wall\", \"position\": [0, 5]},"
+        "{\"type\": \"box\", \"name\": \"Beam\", \"position\": [0, 5], \"width\": 2, \"height\": 0.2},"
+        "{\"type\": \"box\", \"name\": \"Plank\", \"position\": [0, 1], \"width\": 2, \"height\": 0.2, "
+        "\"orientation\": \"-40 deg\"},"
+        "{\"type\": \"pin\", \"name\": \"A\", \"ends\": [\"Wall\", {\"block\": \"Beam\", \"at\": [0, 0]}]}");
+    TinkerHistory *history = tinker_history_new(scene);
+    drag_handle(history, scene, "Beam", (const double[]){1, 5.1}, (const double[]){1.5, 5.2}, REACH);
+    g_assert_cmpfloat_with_epsilon(own_value(scene, "Beam", TINKER_MEANING_WIDTH, 0), 3, 1e-12);
+    g_assert_cmpfloat_with_epsilon(own_value(scene, "Beam", TINKER_MEANING_HEIGHT, 0), 0.4, 1e-12);
+    const double angle = own_value(scene, "Plank", TINKER_MEANING_ORIENTATION, 0);
+    const double corner[2] = {cos(angle) - 0.1 * sin(angle), 1 + sin(angle) + 0.1 * cos(angle)};
+    const double low[2] = {1.2, 0.08}; /* in its own axes so far to the right, and so far above */
+    const double along = low[0] * cos(angle) + (low[1] - 1) * sin(angle);
+    const double across = (low[1] - 1) * cos(angle) - low[0] * sin(angle);
+    drag_handle(history, scene, "Plank", corner, low, REACH);
+    g_assert_cmpfloat_with_epsilon(own_value(scene, "Plank", TINKER_MEANING_ORIENTATION, 0), angle, 1e-12);
+    g_assert_cmpfloat_with_epsilon(own_value(scene, "Plank", TINKER_MEANING_WIDTH, 0), 2 * along, 1e-12);
+    g_assert_cmpfloat_with_epsilon(own_value(scene, "Plank", TINKER_MEANING_HEIGHT, 0), 2 * fabs(across), 1e-12);
+    tinker_history_free(history);
+}
+
 static void test_nothing(Stage *stage, gconstpointer data)
 {
     TinkerHit nothing = {TINKER_NO_BLOCK, TINKER_PART_NONE}, gone = {4711, TINKER_PART_WHOLE};
@@ -557,6 +584,7 @@ static void add_tests(void)
     add("/edit/drag/stand-on-top", test_stand_on_top);
     add("/edit/drag/ladder", test_ladder);
     add("/edit/drag/jointed-bar-is-not-sized", test_jointed_bar_is_not_sized);
+    add("/edit/drag/corner-of-long-box", test_corner_of_long_box);
     add("/edit/drag/nothing", test_nothing);
     add("/edit/drag/outline", test_outline);
 }
