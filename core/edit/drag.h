@@ -70,8 +70,8 @@ gboolean tinker_snap_onto_top(TinkerHistory *history, TinkerScene *scene, Tinker
 
 /* Leans a long body that turns, and that nothing is attached to, with the end of it that is nearer to a place (m) on
  * the solid top that this end is at, less than `reach` (m) and half its own height off: a corner of the end touches it
- * then, and so does its other end where that was at a top already, as a ladder's on a floor and a wall. Its length
- * gives way. Answers whether it is. */
+ * then, and so does its other end where that is within half its height of a top, as one that was put there is, of a
+ * ladder on a floor and a wall. Its length gives way. Answers whether it is. */
 gboolean tinker_snap_end_onto_top(TinkerHistory *history, TinkerScene *scene, TinkerBlockId body, const double place[2],
                                   double reach);
 

@@ -33,16 +33,13 @@ static gboolean is_dropped_on(const TinkerFrame *frame, const TinkerTop *top, Ti
     return fabs(*along) <= top->half_width && gap < reach && gap > -fmax(half, reach);
 }
 
-/* Puts a body that turns onto the top, with a side on it. */
-static gboolean stand_on(TinkerHistory *history, TinkerFrame *frame, const TinkerTop *top, TinkerBlockId body,
-                         double along)
+/* Both or neither: what is not finite would be refused. */
+static gboolean set_place(TinkerHistory *history, const TinkerBlockClass *block_class, TinkerBlockId body,
+                          const double centre[2], double angle)
 {
-    const TinkerBlockClass *block_class = tinker_scene_block_class(tinker_frame_scene(frame), body);
-    const double flat = tinker_top_flat(frame, top, body);
-    double centre[2];
-    tinker_top_centre(top, along, tinker_top_reach(frame, top, body, flat), centre);
-    return tinker_history_set(history, body, block_class->meanings[TINKER_MEANING_POSITION], centre, NULL) &&
-           tinker_history_set(history, body, block_class->meanings[TINKER_MEANING_ORIENTATION], &flat, NULL);
+    return isfinite(centre[0]) && isfinite(centre[1]) && isfinite(angle) &&
+           tinker_history_set(history, body, block_class->meanings[TINKER_MEANING_POSITION], centre, NULL) &&
+           tinker_history_set(history, body, block_class->meanings[TINKER_MEANING_ORIENTATION], &angle, NULL);
 }
 
 gboolean tinker_snap_onto_top(TinkerHistory *history, TinkerScene *scene, TinkerBlockId body, double reach)
@@ -55,9 +52,12 @@ gboolean tinker_snap_onto_top(TinkerHistory *history, TinkerScene *scene, Tinker
     const TinkerTop top = tinker_top_nearest(frame, body);
     if (!is_dropped_on(frame, &top, body, reach, &along)) return FALSE;
     along = tinker_top_round(&top, along);
-    if (!lies) return stand_on(history, frame, &top, body, along);
+    const double flat = lies ? 0 : tinker_top_flat(frame, &top, body);
+    double centre[2];
+    if (!lies) tinker_top_centre(&top, along, tinker_top_reach(frame, &top, body, flat), centre);
     g_clear_pointer(&frame, tinker_frame_free); /* it must not outlive the scene as it is */
-    return tinker_history_lay_on(history, body, top.plate, along, NULL);
+    return lies ? tinker_history_lay_on(history, body, top.plate, along, NULL)
+                : set_place(history, tinker_scene_block_class(scene, body), body, centre, flat);
 }
 
 /* Leaning --------------------------------------------------------------------------------------------------------- */
@@ -86,7 +86,8 @@ static void lean_on(Leaning *leaning)
         }
 }
 
-/* What the ends lie at: that which was dragged within `reach` of it, the other one where it was put before. */
+/* What the ends lie at: that which was dragged within `reach` of it; the other one, whose corners go up and down as the
+ * bar is turned, where its axis is no further off than half the height, as it is on a top at any angle. */
 static gboolean find_tops(const TinkerFrame *frame, Leaning *leaning, TinkerBlockId body, int dragged, double reach)
 {
     const double half = 0.5 * tinker_frame_meaning(frame, body, TINKER_MEANING_WIDTH, 0, 0);
@@ -110,11 +111,12 @@ gboolean tinker_snap_end_onto_top(TinkerHistory *history, TinkerScene *scene, Ti
     tinker_frame_to_own(frame, body, place, own);
     if (!find_tops(frame, &leaning, body, own[0] > 0, reach)) return FALSE;
     lean_on(&leaning);
+    g_clear_pointer(&frame, tinker_frame_free); /* it must not outlive the scene as it is */
     const TinkerBlockClass *block_class = tinker_scene_block_class(scene, body);
     const double *a = leaning.end[0], *b = leaning.end[1], length = hypot(b[0] - a[0], b[1] - a[1]);
     const double centre[2] = {(a[0] + b[0]) / 2, (a[1] + b[1]) / 2}, angle = atan2(b[1] - a[1], b[0] - a[0]);
-    return length > 0 &&
-           tinker_history_set(history, body, block_class->meanings[TINKER_MEANING_POSITION], centre, NULL) &&
-           tinker_history_set(history, body, block_class->meanings[TINKER_MEANING_ORIENTATION], &angle, NULL) &&
-           tinker_history_set(history, body, block_class->meanings[TINKER_MEANING_WIDTH], &length, NULL);
+    /* the length first: it alone can be refused where all are finite */
+    return isfinite(length) && isfinite(centre[0]) && isfinite(centre[1]) && length > 0 &&
+           tinker_history_set(history, body, block_class->meanings[TINKER_MEANING_WIDTH], &length, NULL) &&
+           set_place(history, block_class, body, centre, angle);
 }
