@@ -91,7 +91,6 @@ static void test_digits(void)
     }
 }
 
-/* Where there is no estimate the numbers say so. */
 /* Nothing damps it: of a damping ratio that is less than its error no digit is shown. */
 static void test_less_than_its_error(void)
 {
@@ -105,6 +104,23 @@ static void test_less_than_its_error(void)
     g_assert_nonnull(strstr(text, "Damping ratio = 0 ± "));
 }
 
+/* No more is said than is known, and no less: a value is rounded to the decade of an error that is greater. */
+static void test_about_its_error(void)
+{
+    static const struct {
+        TinkerStatistic of;
+        const char *text;
+    } rows[] = {{{0.9, 1}, "1"},      {{-0.8, 1}, "−1"},       {{-0.2, 1}, "0"},        {{0.04, 0.05}, "0.04"},
+                {{-2e-9, 3e-7}, "0"}, {{2e-7, 3e-7}, "2e-07"}, {{97, 98}, "100"},       {{33, 98}, "30"},
+                {{0, 0.5}, "0"},      {{1, 1}, "1.0000"},      {{-1.5, 0.5}, "−1.5000"}};
+    for (gsize i = 0; i < G_N_ELEMENTS(rows); i++) {
+        g_autoptr(GString) text = g_string_new(NULL);
+        tinker_statistic_append(text, &rows[i].of);
+        g_assert_cmpstr(text->str, ==, rows[i].text);
+    }
+}
+
+/* Where there is no estimate the numbers say so. */
 static void test_not_known(void)
 {
     g_autoptr(GuiFixture) fixture = gui_fixture_new("");
@@ -147,6 +163,7 @@ static void add_tests(void)
     g_test_add_func("/gui/graph-statistics/error-of-run", test_error_of_run);
     g_test_add_func("/gui/graph-statistics/digits", test_digits);
     g_test_add_func("/gui/graph-statistics/less-than-its-error", test_less_than_its_error);
+    g_test_add_func("/gui/graph-statistics/about-its-error", test_about_its_error);
     g_test_add_func("/gui/graph-statistics/bounces", test_bounces);
     g_test_add_func("/gui/graph-statistics/not-known", test_not_known);
 }

@@ -4,6 +4,7 @@
 #define TINKER_GUI_GRAPH_DATA_H
 
 #include "gui/curve/graph-series.h"
+#include "measure/statistics.h"
 #include "render/plot/plot.h"
 
 typedef struct _TinkerGraphData TinkerGraphData;
@@ -71,6 +72,10 @@ gboolean tinker_graph_data_run_error(const TinkerGraphData *data, guint curve, d
 /* Mean, extrema, period and damping of its own curves in a part of the time (s; NULL: all), each with its error, that
  * of the run included where it is known. (transfer full) */
 char *tinker_graph_statistics_text(TinkerGraphData *data, const double *range);
+
+/* Adds a statistic's value with the digits that its error leaves; of one that is less than its error those up to the
+ * error's own decade. */
+void tinker_statistic_append(GString *text, const TinkerStatistic *statistic);
 
 /* A point for people: "t = 1.25 s" (and the other quantity's value, if it is not over time), of a spectrum
  * "f = 0.8 Hz"; "y = −0.12 m". (transfer full) */

@@ -9,12 +9,13 @@
 #define MOST_DIGITS  12
 
 /* As many digits as the error leaves, zeros at their end too: a value that is cut short would look as if it missed by
- * more than its error. */
-static void append_value(GString *text, const TinkerStatistic *statistic)
+ * more than its error. One that is less than it is rounded to the decade of the error: nothing beyond is known. */
+void tinker_statistic_append(GString *text, const TinkerStatistic *statistic)
 {
     const double size = fabs(statistic->value), error = statistic->error;
-    if (size < error) { /* no digit of it is known */
-        g_string_append_c(text, '0');
+    if (size < error && isfinite(error)) {
+        const double decade = pow(10, floor(log10(error))), rounded = round(size / decade) * decade;
+        g_string_append_printf(text, "%s%g", statistic->value < 0 && rounded > 0 ? "−" : "", rounded);
         return;
     }
     double digits = size > 0 && error > 0 ? floor(log10(size)) - floor(log10(error)) + 1 : LEAST_DIGITS;
@@ -48,7 +49,7 @@ static void add_line(GString *text, const char *name, const TinkerStatistic *sta
     }
     const char *gap = unit[0] != '\0' ? " " : "";
     g_string_append_printf(text, "%s = ", name);
-    append_value(text, statistic);
+    tinker_statistic_append(text, statistic);
     g_string_append_printf(text, "%s%s ± %.1g%s%s\n", gap, unit, statistic->error, gap, unit);
 }
 
