@@ -183,7 +183,6 @@ static void test_gap(void)
     g_assert_true(test_picture_shows(picture, x, y, 1, test_plot_colour(0)));
 }
 
-/* A single point, a constant, nothing at all, nothing but NaN, one point between gaps. */
 /* How high the name of the axis across is written (canvas units). */
 static double height_of_label(double enlargement)
 {
@@ -206,6 +205,7 @@ static void test_enlargement(void)
     g_assert_cmpfloat_with_epsilon(height_of_label(2) / height_of_label(1), 2, 0.15); /* heights are whole pixels */
 }
 
+/* A single point, a constant, nothing at all, nothing but NaN, one point between gaps. */
 static void test_degenerate(void)
 {
     const double x[3] = {1, 2, 3}, y[3] = {7, 7, 7}, gaps[3] = {NAN, 7, NAN}, none[3] = {NAN, NAN, NAN};
