@@ -7,9 +7,10 @@
 #include "gui/widget/desktop-theme.h"
 #include "gui/widget/image-texture.h"
 
-#define HINT_LEFT    48  /* widget units, beyond the labels of the upright axis */
-#define RECORDING_MS 100 /* how often the picture is renewed while the record grows and nothing plays */
-#define BEHIND_MS    15  /* and while there is more of the record than one frame reads */
+#define USUAL_DPI    96.0 /* of a screen of which nothing is told */
+#define HINT_LEFT    48   /* widget units, beyond the labels of the upright axis */
+#define RECORDING_MS 100  /* how often the picture is renewed while the record grows and nothing plays */
+#define BEHIND_MS    15   /* and while there is more of the record than one frame reads */
 
 G_DEFINE_FINAL_TYPE(TinkerGraphPlot, tinker_graph_plot, GTK_TYPE_WIDGET)
 
@@ -114,11 +115,13 @@ static gboolean same_picture(const TinkerGraphPicture *a, const TinkerGraphPictu
 static double enlargement_of(GtkWidget *widget)
 {
     g_autofree char *name = NULL;
-    g_object_get(gtk_widget_get_settings(widget), "gtk-font-name", &name, NULL);
+    int dpi = -1; /* in 1024ths; -1: unknown */
+    g_object_get(gtk_widget_get_settings(widget), "gtk-font-name", &name, "gtk-xft-dpi", &dpi, NULL);
     PangoFontDescription *usual = pango_font_description_from_string(name != NULL ? name : "");
     const PangoFontDescription *own = pango_context_get_font_description(gtk_widget_get_pango_context(widget));
     const double points = pango_font_description_get_size(usual), dots = pango_font_description_get_size(own);
-    const double size = pango_font_description_get_size_is_absolute(own) ? dots * 72 / 96 : dots;
+    const double size =
+        pango_font_description_get_size_is_absolute(own) ? dots * 72 / (dpi > 0 ? dpi / 1024.0 : USUAL_DPI) : dots;
     pango_font_description_free(usual);
     return points > 0 && size > points ? size / points : 1;
 }
