@@ -32,6 +32,7 @@ struct _TinkerCanvas {
     gboolean view_is_set;
     gboolean view_is_fitted; /* it shows `fitted`, whatever the size, until somebody looks elsewhere */
     double fitted[4], fitted_margin, fitted_above;
+    guint keeping_below; /* the source that shows it below the cover */
     TinkerPaintMemory *memory;
     GHashTable *faults; /* of drawings, as TinkerPaintOptions has them */
     guint faults_told;  /* of them */

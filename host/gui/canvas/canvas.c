@@ -116,6 +116,7 @@ static gboolean keep_below_cover(gpointer data)
 {
     TinkerCanvas *canvas = data;
     double box[4], x, top;
+    canvas->keeping_below = 0;
     if (!canvas->view_is_fitted || canvas->gesture != CANVAS_IDLE || !box_of_all(canvas, box)) return G_SOURCE_REMOVE;
     tinker_view_to_canvas(&canvas->view, 0, box[3], &x, &top);
     if (top < canvas_seen_from(canvas) && room_above(canvas) > canvas->fitted_above)
@@ -126,8 +127,9 @@ static gboolean keep_below_cover(gpointer data)
 void tinker_canvas_cover_placed(TinkerCanvas *canvas)
 {
     gtk_widget_queue_draw(GTK_WIDGET(canvas));
-    if (canvas->view_is_fitted && room_above(canvas) > canvas->fitted_above) /* not while widgets get their places */
-        g_idle_add_full(G_PRIORITY_DEFAULT, keep_below_cover, g_object_ref(canvas), g_object_unref);
+    if (canvas->keeping_below != 0 || !canvas->view_is_fitted || room_above(canvas) <= canvas->fitted_above) return;
+    /* not while widgets get their places */
+    canvas->keeping_below = g_idle_add_full(G_PRIORITY_DEFAULT, keep_below_cover, canvas, NULL);
 }
 
 void tinker_canvas_show_width(TinkerCanvas *canvas)
@@ -179,7 +181,7 @@ static void tinker_canvas_size_allocate(GtkWidget *widget, int width, int height
     if (!canvas->view_is_set && canvas->document != NULL)
         tinker_canvas_show_first(canvas);
     else if (canvas->view_is_fitted)
-        fit_box(canvas, canvas->fitted, canvas->fitted_margin, canvas->fitted_above);
+        fit_box(canvas, canvas->fitted, canvas->fitted_margin, fmin(canvas->fitted_above, room_above(canvas)));
     else
         canvas_view_changed(canvas);
 }
@@ -472,6 +474,7 @@ static void tinker_canvas_dispose(GObject *object)
 {
     TinkerCanvas *canvas = TINKER_CANVAS(object);
     if (canvas->document != NULL) canvas_cancel_gesture(canvas);
+    g_clear_handle_id(&canvas->keeping_below, g_source_remove);
     tinker_unparent_children(GTK_WIDGET(canvas));
     g_clear_weak_pointer(&canvas->cover);
     g_clear_object(&canvas->player);

@@ -108,7 +108,8 @@ def test_where_somebody_looks_stays_when_the_window_is_sized(display):
 
 
 def test_scene_is_below_a_high_notice(display):
-    """One of several lines, as in a small window, has no room in what is left free for one."""
+    """One of several lines, as in a small window, has no room in what is left free for one. When it has gone the room is the
+    scene's, as soon as the window has another size."""
     with App(display, scene(support("Floor", 0, -2), mass("Box", 0, -1.7), mass("High", 0, 4), width=4)) as app:
         make_small(app)
         notice = app.find("button", re.compile("^Box starts "))
@@ -118,6 +119,11 @@ def test_scene_is_below_a_high_notice(display):
             return app.at(0, 4.4)[1] > max(sum(app.box(node)[1::2]) for node in (notice, bar))
 
         wait(is_below, "the highest block to be below the notice")
+        free = app.at(0, 4.4)[1] - app.canvas_box()[1]
+        app.click("Close Notice")
+        window = max(app.windows(), key=lambda window: window[1][2])
+        app.xdotool("windowsize", window[0], 800, 520)
+        wait(lambda: app.at(0, 4.4)[1] - app.canvas_box()[1] < free - 5, "the room of the notice to be the scene's")
 
 
 def test_first_steps_can_be_read_in_a_small_window(display):
