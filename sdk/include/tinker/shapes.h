@@ -309,14 +309,14 @@ static inline void tinker_turned_move(const TinkerInstance *instance, const Tink
                                       const TinkerEdit *edit, int32_t part, double dx, double dy,
                                       const TinkerEditor *editor)
 {
-    TinkerHandle handles[3];
+    TinkerHandle handles[16]; /* all of a block that has points besides */
     if (part == TINKER_PART_WHOLE || part == TINKER_HANDLE_LOCAL_ORIGIN) {
         const int32_t column = part == TINKER_PART_WHOLE ? at->position : at->local_origin;
         editor->set(editor, column, instance->columns[column] + dx);
         editor->set(editor, column + 1, instance->columns[column + 1] + dy);
         return;
     }
-    const int32_t count = edit->handles(instance, handles, 3);
+    const int32_t count = edit->handles(instance, handles, 16);
     for (int32_t k = 0; k < count; k++) {
         if (handles[k].part == part) edit->move_absolute(instance, part, handles[k].x + dx, handles[k].y + dy, editor);
     }
