@@ -66,12 +66,12 @@ SIZE(TinkerGraph, 16) AT(TinkerGraph, struct_size, 0) AT(TinkerGraph, reserved, 
 /* instance.h */
 SIZE(TinkerEnd, 32) AT(TinkerEnd, x, 0) AT(TinkerEnd, y, 8) AT(TinkerEnd, attached, 16) AT(TinkerEnd, reserved, 20)
 AT(TinkerEnd, angle, 24)
-SIZE(TinkerInstance, 120) AT(TinkerInstance, span, 112) AT(TinkerInstance, struct_size, 0) AT(TinkerInstance, ends, 4) AT(TinkerInstance, name, 8)
+SIZE(TinkerInstance, 120) AT(TinkerInstance, struct_size, 0) AT(TinkerInstance, ends, 4) AT(TinkerInstance, name, 8)
 AT(TinkerInstance, columns, 16) AT(TinkerInstance, end, 24) AT(TinkerInstance, x, 32) AT(TinkerInstance, y, 40)
 AT(TinkerInstance, orientation, 48) AT(TinkerInstance, time, 56) AT(TinkerInstance, symbol_size, 64)
 AT(TinkerInstance, path, 72) AT(TinkerInstance, path_count, 80) AT(TinkerInstance, point_list_count, 84)
 AT(TinkerInstance, point_lists, 88)
-AT(TinkerInstance, text_count, 96) AT(TinkerInstance, texts, 104)
+AT(TinkerInstance, text_count, 96) AT(TinkerInstance, texts, 104) AT(TinkerInstance, span, 112)
 
 /* integrator.h */
 SIZE(TinkerPattern, 24) AT(TinkerPattern, size, 0) AT(TinkerPattern, entries, 4) AT(TinkerPattern, row_starts, 8)

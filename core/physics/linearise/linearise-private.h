@@ -13,8 +13,7 @@ void tinker_linear_add_point(TinkerLinearisation *linear, const TinkerModel *mod
                              double x, double y);
 
 /* Force elements and fields, as dense matrices: what the jacobian has more than lines and turned arms, which are there
- * already;
- * where a field couples bodies, by differences of its own. `still` is a velocity of 0. */
+ * already; where a field couples bodies, by differences of its own. `still` is a velocity of 0. */
 TinkerStatus tinker_linear_add_others(TinkerLinearisation *linear, TinkerModel *model, const double *q,
                                       const double *still);
 

@@ -1,6 +1,6 @@
 /* Bodies that are dropped onto each other: a joint is offered where they meet; one that is dropped onto a top and would
- * fall through it can be made solid. Corners of outlines in the menu of the
- * selection: one more where the pointer is, and the one that it is on away. */
+ * fall through it can be made solid. Corners of outlines in the menu of the selection: one more where the pointer is,
+ * and the one that it is on away. */
 #include "edit/drag.h"
 #include "edit/outline.h"
 #include "gui/text/translate.h"
@@ -46,7 +46,7 @@ static void make_solid(void *data)
     const Meeting *meeting = data;
     TinkerDocument *document = meeting->window->document;
     const TinkerBlockClass *block_class = tinker_scene_block_class(tinker_document_scene(document), meeting->dropped);
-    tinker_document_begin(document, "Make solid", NULL);
+    tinker_document_begin(document, _("Make It Solid"), NULL);
     tinker_history_set(tinker_document_history(document), meeting->dropped, block_class->meanings[TINKER_MEANING_SOLID],
                        (const double[]){1}, NULL);
     tinker_document_end(document);
