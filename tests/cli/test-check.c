@@ -279,7 +279,7 @@ static void test_endless_switching(CliFixture *fixture, gconstpointer data)
 
 /* What prescribes a freedom that is prescribed already, otherwise, is refused before a run: two drives on one disc, two
  * that a gear ties, a drive on what cannot turn, a rod between supports of which one moves away, a mass off the line of
- * a slot. Where both ask for the same nothing is wrong. */
+ * a slot, off the end of a weld or a pin. Where both ask for the same nothing is wrong. */
 static void test_contradictions(CliFixture *fixture, gconstpointer data)
 {
     static const char *const words[] = {"check @a.json", "plan @a.json"};
@@ -298,6 +298,8 @@ static void test_contradictions(CliFixture *fixture, gconstpointer data)
          "R: no velocity satisfies this constraint"},
         {"{\"type\": \"slot\", \"name\": \"L\", \"ends\": [\"S\", \"M\"]}",
          "(move one onto the line through the other"},
+        {"{\"type\": \"weld\", \"name\": \"L\", \"ends\": [\"S\", \"M\"]}", "(move one to the other"},
+        {"{\"type\": \"pin\", \"name\": \"L\", \"ends\": [\"S\", \"M\"]}", "(move one to the other"},
         {"{\"type\": \"gear\", \"name\": \"G\", \"ends\": [\"D\", \"M\"]}", "has no angle"},
         {"{\"type\": \"rack\", \"name\": \"G\", \"ends\": [\"M\", \"D\"], \"radius\": 1}", "has no angle"},
         {"{\"type\": \"drive\", \"name\": \"A\", \"ends\": [\"S\", \"D\"], \"speed\": 1},"

@@ -55,15 +55,19 @@ static void refuse_misfit(const TinkerModel *model, int32_t row, const char *nam
     double place[2];
     const char *unit = tinker_constraints_row_unit(model, row);
     const int32_t body = nearest_fit(model, row, place);
+    const gboolean turned = strcmp(unit, "rad") == 0;
     g_autofree char *hint =
-        body < 0 ? g_strdup(_("move its ends, or change its properties"))
-                 : g_strdup_printf(_("it fits with %s at about (%.5g, %.5g) m"),
-                                   tinker_scene_block_name(model->scene, model->body_blocks[body]), place[0], place[1]);
+        turned ? g_strdup(_("turn what one of its ends is on, or change its properties"))
+        : body < 0
+            ? g_strdup(_("move its ends, or change its properties"))
+            : g_strdup_printf(_("it fits with %s at about (%.5g, %.5g) m"),
+                              tinker_scene_block_name(model->scene, model->body_blocks[body]), place[0], place[1]);
     g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_SCENE,
                 _("%s: the start positions miss it by %.3g %s (at most %.3g %s is corrected; %s)"), name,
                 fabs(all->g[row]), unit, TINKER_START_MISS * all->scales[row], unit, hint);
 }
 
+/* A joint by one of its rows in m: both components of what lies between its ends, or that across a line. */
 static void refuse_joint(const TinkerModel *model, const TinkerConstraintBatch *part, int32_t row, const char *name,
                          GError **error)
 {
@@ -71,7 +75,7 @@ static void refuse_joint(const TinkerModel *model, const TinkerConstraintBatch *
     const TinkerPoint *a = &model->point[all->ends_at[all->row_starts[row]]];
     const TinkerPoint *b = &model->point[all->ends_at[all->row_starts[row] + 1]];
     g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_SCENE,
-                part->coincident
+                part->constraint->joint == 1
                     ? _("%s: its ends do not fit together at t = 0: they are at (%.10g, %.10g) and (%.10g, %.10g) m "
                         "(move one to the other; at most %.0e of the scene's extent, %.3g m, is corrected)")
                     : _("%s: its ends do not fit together at t = 0: they are at (%.10g, %.10g) and (%.10g, %.10g) m "
@@ -88,7 +92,8 @@ static gboolean refuse_row(TinkerModel *model, const TinkerConstraintBatch *part
     int32_t ends = batch->end_offsets[instance + 1] - batch->end_offsets[instance];
     int32_t column = path_column(batch->block_class, ends);
     const char *name = tinker_scene_block_name(model->scene, batch->ids[instance]);
-    if (part->constraint->joint != 0) {
+    const gboolean of_angle = strcmp(tinker_constraints_row_unit(model, row), "rad") == 0;
+    if (part->constraint->joint != 0 && !of_angle) {
         refuse_joint(model, part, row, name, error);
     } else if (column >= 0) {
         g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_SCENE,
