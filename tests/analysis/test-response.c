@@ -241,6 +241,23 @@ static void test_refusals(void)
     }
 }
 
+/* What is divided by a product or a quotient has it in brackets. */
+static void test_units(void)
+{
+    static const char *const units[][3] = {
+        {"m", "N", "m/N"}, {"m", "m", "m/m"}, {"m", "N m", "m/(N m)"}, {"rad", "m/s", "rad/(m/s)"}};
+    for (gsize i = 0; i < G_N_ELEMENTS(units); i++) {
+        g_autofree char *unit = tinker_frequency_response_unit(units[i][0], units[i][1]);
+        g_assert_cmpstr(unit, ==, units[i][2]);
+    }
+    g_autoptr(Analysis) a = analyse("Torque 0", "Bar 0.x",
+                                    "{'type': 'support'}, {'type': 'bar', 'position': [0.5, 0]},"
+                                    "{'type': 'pin', 'ends': ['Support 0', {'block': 'Bar 0', 'at': [-0.5, 0]}]},"
+                                    "{'type': 'torsional-spring', 'ends': ['Support 0', 'Bar 0']},"
+                                    "{'type': 'torque', 'ends': ['Bar 0', 'Support 0'], 'waveform': 'sine'}");
+    g_assert_cmpstr(a->input.unit, ==, "N m");
+}
+
 static void add_tests(void)
 {
     g_test_add_func("/response/force", test_force);
@@ -252,6 +269,7 @@ static void add_tests(void)
     g_test_add_func("/response/pendulum-on-moving-support", test_pendulum_on_moving_support);
     g_test_add_func("/response/tension-of-a-spring", test_tension_of_a_spring);
     g_test_add_func("/response/damped-chain", test_damped_chain);
+    g_test_add_func("/response/units", test_units);
     g_test_add_func("/response/refusals", test_refusals);
 }
 

@@ -202,6 +202,11 @@ double complex tinker_frequency_response_at(TinkerFrequencyResponse *response, d
     return isfinite(cabs(sum)) ? sum : CMPLX(INFINITY, 0);
 }
 
+char *tinker_frequency_response_unit(const char *output, const char *input)
+{
+    return g_strdup_printf(strpbrk(input, " /") != NULL ? "%s/(%s)" : "%s/%s", output, input);
+}
+
 /* Many frequencies
  * ----------------------------------------------------------------------------------------------------- */
 

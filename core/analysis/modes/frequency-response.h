@@ -24,6 +24,9 @@ G_DEFINE_AUTOPTR_CLEANUP_FUNC(TinkerFrequencyResponse, tinker_frequency_response
 /* H at omega (rad/s). Infinite at the frequency of an undamped mode that is driven. */
 double complex tinker_frequency_response_at(TinkerFrequencyResponse *response, double omega);
 
+/* The unit of H, of those of what answers and of what drives: "m/N", "m/(N m)". (transfer full) */
+char *tinker_frequency_response_unit(const char *output, const char *input);
+
 /* Frequencies (rad/s, ascending) that show the response from `from` to `to`: `count` of them evenly spread, over their
  * logarithm or not, and more around each mode. (transfer full) */
 GArray *tinker_frequency_response_grid(const GPtrArray *modes, double from, double to, int count, gboolean logarithmic);

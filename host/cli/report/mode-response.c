@@ -23,8 +23,7 @@ static gboolean find_ends(TinkerModeResponse *made, const TinkerModeAnalysis *an
     }
     const TinkerColumn *column = &g_array_index(made->columns, TinkerColumn, 0);
     made->name = g_strdup_printf("%s per %s", wish->output, wish->input);
-    made->unit =
-        g_strdup_printf(strpbrk(made->input.unit, " /") != NULL ? "%s/(%s)" : "%s/%s", column->unit, made->input.unit);
+    made->unit = tinker_frequency_response_unit(column->unit, made->input.unit);
     return tinker_linear_output_find(analysis->model, analysis->q, column, &made->input, &made->output, error);
 }
 

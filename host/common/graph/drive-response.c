@@ -142,7 +142,7 @@ GPtrArray *tinker_drive_responses_new(const TinkerModeAnalysis *analysis, Tinker
         const Question question = {analysis, scene, &input};
         TinkerDriveResponse *response = g_new0(TinkerDriveResponse, 1);
         response->drive = g_strdup(tinker_scene_block_name(scene, block));
-        response->unit = g_strdup_printf("m/%s", input.unit);
+        response->unit = tinker_frequency_response_unit("m", input.unit);
         response->driven = driven_at(scene, block) / (2 * G_PI);
         response->hertz = g_array_new(FALSE, FALSE, sizeof(double));
         response->amplitude = g_array_new(FALSE, FALSE, sizeof(double));
