@@ -278,8 +278,8 @@ static void test_endless_switching(CliFixture *fixture, gconstpointer data)
 }
 
 /* What prescribes a freedom that is prescribed already, otherwise, is refused before a run: two drives on one disc, two
- * that a gear ties, a drive on what cannot turn, a rod between supports of which one moves away, a mass off the line of
- * a slot, off the end of a weld or a pin. Where both ask for the same nothing is wrong. */
+ * that a gear of any ratio ties, a drive on what cannot turn, a rod between supports of which one moves away, a mass
+ * off the line of a slot, off the end of a weld or a pin. Where both ask for the same nothing is wrong. */
 static void test_contradictions(CliFixture *fixture, gconstpointer data)
 {
     static const char *const words[] = {"check @a.json", "plan @a.json"};
@@ -290,7 +290,15 @@ static void test_contradictions(CliFixture *fixture, gconstpointer data)
         {"{\"type\": \"drive\", \"name\": \"A\", \"ends\": [\"S\", \"D\"]},\n"
          "{\"type\": \"gear\", \"name\": \"G\", \"ends\": [\"D\", \"E\"]},"
          "{\"type\": \"drive\", \"name\": \"B\", \"ends\": [\"S\", \"E\"], \"speed\": 0.5}",
-         "A, B, G: no velocity satisfies"},
+         "A, B, G: no velocity satisfies these"},
+        {"{\"type\": \"drive\", \"name\": \"A\", \"ends\": [\"S\", \"D\"]},\n"
+         "{\"type\": \"gear\", \"name\": \"G\", \"ends\": [\"D\", \"E\"], \"ratio\": 20},"
+         "{\"type\": \"drive\", \"name\": \"B\", \"ends\": [\"S\", \"E\"], \"speed\": 0.5}",
+         "A, B, G: no velocity satisfies these"},
+        {"{\"type\": \"drive\", \"name\": \"A\", \"ends\": [\"S\", \"D\"]},\n"
+         "{\"type\": \"gear\", \"name\": \"G\", \"ends\": [\"D\", \"E\"], \"ratio\": 0.001},"
+         "{\"type\": \"drive\", \"name\": \"B\", \"ends\": [\"S\", \"E\"], \"speed\": 0.5}",
+         "A, B, G: no velocity satisfies these"},
         {"{\"type\": \"drive\", \"name\": \"A\", \"ends\": [\"S\", \"M\"]}",
          "A: no velocity satisfies this constraint"},
         {"{\"type\": \"support-motion\", \"ends\": [\"S\"], \"waveform\": {\"expression\": \"t\"}},"

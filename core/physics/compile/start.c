@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "numerics/solve/largest.h"
 #include "physics/compile/compile-private.h"
 #include "physics/constraint/constraints.h"
 #include "physics/constraint/tolerances.h"
@@ -166,41 +167,54 @@ static gboolean run_error(TinkerModel *model, TinkerModelError code, GError **er
     return FALSE;
 }
 
-/* The largest sum of what a row's ends by themselves, as `by_point` has them move, and its own term ask for: where they
- * cancel each other, rounding of it is all that is left. */
-static double largest_demand(const TinkerModel *model, const double *by_point, const double *terms)
+/* Of each row: the largest sum of what its ends by themselves, as `by_point` has them move, and its own term ask for:
+ * where they cancel each other, rounding of it is all that is left. */
+static void find_demands(const TinkerModel *model, const double *by_point, const double *terms, double *demand)
 {
     const TinkerConstraints *all = &model->constraints;
-    double most = 0;
-    for (int32_t k = 0; k < all->turn_count; k++)
-        most = MAX(most, fabs(all->jacobian[2 * all->entries + k] * by_point[all->turns[k].coordinate]));
     for (int32_t row = 0; row < all->rows; row++) {
-        double sum = fabs(terms[row]);
+        demand[row] = fabs(terms[row]);
         for (int32_t e = all->row_starts[row]; e < all->row_starts[row + 1]; e++) {
             const double *of = by_point + 2 * all->points[e];
-            sum += fabs(all->jacobian[2 * e] * of[0]) + fabs(all->jacobian[2 * e + 1] * of[1]);
+            demand[row] += fabs(all->jacobian[2 * e] * of[0]) + fabs(all->jacobian[2 * e + 1] * of[1]);
         }
-        most = MAX(most, sum);
     }
-    return most;
+    for (int32_t k = 0; k < all->turn_count; k++) {
+        double *of_row = &demand[all->turns[k].row];
+        *of_row = MAX(*of_row, fabs(all->jacobian[2 * all->entries + k] * by_point[all->turns[k].coordinate]));
+    }
 }
 
-/* The blocks of the rows that the residual is large of, joined by ", ", and how many they are. (transfer full) */
-static char *names_of_residual(const TinkerModel *model, int *count)
+static double largest_demand(const TinkerModel *model, const double *by_point, const double *terms)
+{
+    const int32_t rows = model->constraints.rows;
+    g_autofree double *demand = g_new(double, MAX(rows, 1));
+    find_demands(model, by_point, terms, demand);
+    return tinker_largest(rows, demand);
+}
+
+/* The blocks of the rows that the residual is more than rounding of, as shares of what each row asks for where points
+ * move as `by_point` has them: so rows in rad and in m are told by one measure, and one that a gear of a high ratio
+ * hides behind another is seen. Joined by ", "; `several`: whether they are more than one block, or NULL. (transfer
+ * full)
+ */
+static char *names_of_residual(const TinkerModel *model, const double *by_point, const double *terms, gboolean *several)
 {
     const TinkerConstraints *all = &model->constraints;
-    double worst = 0;
-    for (int32_t row = 0; row < all->rows; row++)
-        worst = MAX(worst, fabs(all->residual[row]));
+    g_autofree double *demand = g_new(double, MAX(all->rows, 1));
+    find_demands(model, by_point, terms, demand);
+    const double rounding = TINKER_ROUNDING_MISS * tinker_largest(all->rows, all->residual);
     g_autoptr(GString) names = g_string_new(NULL);
     TinkerBlockId last = TINKER_NO_BLOCK;
-    *count = 0;
+    int count = 0;
     for (int32_t row = 0; row < all->rows; row++) {
-        if (fabs(all->residual[row]) < 0.1 * worst || all->blocks[row] == last) continue;
-        ++*count;
+        const double missed = fabs(all->residual[row]);
+        if (!(missed > rounding && missed > TINKER_START_MISS * demand[row]) || all->blocks[row] == last) continue;
+        count++;
         last = all->blocks[row];
         g_string_append_printf(names, "%s%s", names->len > 0 ? ", " : "", tinker_scene_block_name(model->scene, last));
     }
+    if (several != NULL) *several = count > 1;
     return g_string_free(g_steal_pointer(&names), FALSE);
 }
 
@@ -212,8 +226,7 @@ static gboolean refuse_contradiction(TinkerModel *model, const double *a, GError
     tinker_constraints_rows_times(all, model->point_acceleration, all->residual);
     for (int32_t row = 0; row < all->rows; row++)
         all->residual[row] += all->drift[row];
-    int count;
-    g_autofree char *names = names_of_residual(model, &count);
+    g_autofree char *names = names_of_residual(model, model->point_acceleration, all->drift, NULL);
     g_set_error(
         error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_CONTRADICTION,
         _("%s: no motion satisfies these constraints at the start: they contradict each other (remove one, or give "
@@ -298,10 +311,10 @@ static gboolean correct_velocities(TinkerModel *model, GError **error)
         if (memcmp(given, model->v_start, bytes) != 0) warn_start_velocity(model, given);
         return TRUE;
     }
-    int count;
-    g_autofree char *names = names_of_residual(model, &count);
+    gboolean several;
+    g_autofree char *names = names_of_residual(model, model->constraints.by_point, model->constraints.rate, &several);
     g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_CONTRADICTION,
-                count > 1
+                several
                     ? _("%s: no velocity satisfies these constraints at the start: what is prescribed there "
                         "contradicts another constraint (remove one, or let both ask for the same)")
                     : _("%s: no velocity satisfies this constraint at the start: what it asks for, nothing that it is "
