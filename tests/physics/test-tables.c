@@ -131,11 +131,17 @@ static void second_derivatives(double *m)
         }
 }
 
-static double spline(const double *m, double t)
+static int piece_of(double t)
 {
     int i = 0;
     while (i < KNOTS - 2 && t > knot_time[i + 1])
         i++;
+    return i;
+}
+
+static double spline(const double *m, double t)
+{
+    int i = piece_of(t);
     double h = knot_time[i + 1] - knot_time[i], a = (knot_time[i + 1] - t) / h, b = (t - knot_time[i]) / h;
     return a * knot_value[i] + b * knot_value[i + 1] +
            ((a * a * a - a) * m[i] + (b * b * b - b) * m[i + 1]) * h * h / 6;
@@ -176,37 +182,67 @@ static void test_spline(void)
     }
 }
 
+/* The spline's first and second derivative. */
+static void spline_rates(const double *m, double t, double rates[2])
+{
+    const int i = piece_of(t);
+    const double h = knot_time[i + 1] - knot_time[i], a = (knot_time[i + 1] - t) / h, b = (t - knot_time[i]) / h;
+    rates[0] = (knot_value[i + 1] - knot_value[i]) / h + ((3 * b * b - 1) * m[i + 1] - (3 * a * a - 1) * m[i]) * h / 6;
+    rates[1] = a * m[i] + b * m[i + 1];
+}
+
+#define DRIVEN_BAR                                                                                                     \
+    "{'type': 'support', 'solid': false}, {'type': 'bar', 'position': [0.5, 0], 'velocity': [0, 0.25]},"               \
+    "{'type': 'pin', 'ends': ['Support 0', {'block': 'Bar 0', 'at': [-0.5, 0]}]},"                                     \
+    "{'type': 'drive', 'ends': ['Bar 0', 'Support 0'], 'speed': 0,"                                                    \
+    " 'waveform': {'table': 'table.csv', 'column': 1}}"
+
 /* A bar that a drive turns by the same table, from within its first piece: a corner at a row no bar could follow. The
- * torque is I times the second derivative, which is linear between the rows. The table ends with the run, where the bar
- * need not follow the jump of its rate any more; a tenth of a second later it would have to. */
+ * torque is I times the second derivative. The table ends with the run, where its rate jumps to 0: the bar need not
+ * follow that any more, and the last sample has the rate before it. A run that goes on would have to. */
 static void test_drive(void)
 {
     write_knots();
-    double m[KNOTS];
+    double m[KNOTS], rates[2] = {0};
     second_derivatives(m);
-    g_autoptr(PhysicsRun) run = physics_run(
-        &(PhysicsOptions){
-            .duration = 2.4, .interval = 0.1, .columns = "Bar 0.angle, Bar 0.x, Drive 0.torque", .path = scene_path},
-        "{'type': 'support', 'solid': false}, {'type': 'bar', 'position': [0.5, 0], 'velocity': [0, 0.25]},"
-        "{'type': 'pin', 'ends': ['Support 0', {'block': 'Bar 0', 'at': [-0.5, 0]}]},"
-        "{'type': 'drive', 'ends': ['Bar 0', 'Support 0'], 'speed': 0,"
-        " 'waveform': {'table': 'table.csv', 'column': 1}}");
+    g_autoptr(PhysicsRun) run =
+        physics_run(&(PhysicsOptions){.duration = 2.4,
+                                      .interval = 0.1,
+                                      .columns = "Bar 0.angle, Bar 0.x, Bar 0.angular velocity, "
+                                                 "Drive 0.torque",
+                                      .path = scene_path},
+                    DRIVEN_BAR);
     for (gsize i = 1; i < physics_samples(run); i++) {
         const double t = physics_time(run, i), angle = spline(m, t);
-        int k = 0;
-        while (k < KNOTS - 2 && t > knot_time[k + 1])
-            k++;
-        const double share = (t - knot_time[k]) / (knot_time[k + 1] - knot_time[k]);
+        spline_rates(m, t, rates);
         physics_assert_near("angle", physics_value(run, i, 0), angle, 1e-12);
         physics_assert_near("x", physics_value(run, i, 1), 0.5 * cos(angle), 1e-12);
-        physics_assert_near("torque", physics_value(run, i, 2), (m[k] + share * (m[k + 1] - m[k])) / 3, 1e-10);
+        physics_assert_near("rate", physics_value(run, i, 2), rates[0], 1e-11);
+        physics_assert_near("torque", physics_value(run, i, 3), rates[1] / 3, 1e-10);
     }
-    g_autoptr(PhysicsRun) longer = physics_try(
-        &(PhysicsOptions){.duration = 2.5, .path = scene_path},
-        "{'type': 'support', 'solid': false}, {'type': 'bar'}, {'type': 'pin', 'ends': ['Support 0', 'Bar 0']},"
-        "{'type': 'drive', 'ends': ['Bar 0', 'Support 0'], 'speed': 0,"
-        " 'waveform': {'table': 'table.csv', 'column': 1}}");
+    g_assert_cmpfloat(fabs(rates[0]), >, 0.5);
+    g_autoptr(PhysicsRun) longer = physics_try(&(PhysicsOptions){.duration = 2.5, .path = scene_path}, DRIVEN_BAR);
     physics_assert_refused(longer, TINKER_MODEL_ERROR_SCENE, "Drive 0", "2.4 s", NULL);
+}
+
+/* The end of a spring on that bar jumps at the instant at which the table ends: what follows neither is not booked, so
+ * the books close, and are those of a run in which nothing jumps. */
+static void test_drive_and_jump(void)
+{
+    static const char *const places[] = {"0*t", "if(t < 2.4, 0, 1)"};
+    double given[2];
+    write_knots();
+    for (int jumps = 0; jumps < 2; jumps++) {
+        g_autoptr(PhysicsRun) run = physics_run(
+            &(PhysicsOptions){.duration = 2.4, .interval = 0.1, .columns = "Bar 0.angle", .path = scene_path},
+            DRIVEN_BAR ", {'type': 'support', 'position': [0.5, 3], 'solid': false},"
+                       "{'type': 'spring', 'ends': ['Support 1', 'Bar 0'], 'stiffness': 7},"
+                       "{'type': 'support-motion', 'ends': ['Support 1'], 'waveform': {'expression': '%s'}}",
+            places[jumps]);
+        physics_assert_near("balance error", run->summary->energy_balance_error, 0, 1e-8);
+        given[jumps] = run->summary->books[TINKER_BOOK_SUPPORT_MOTION];
+    }
+    physics_assert_near("given by the support", given[1], given[0], 1e-12);
 }
 
 static void add_tests(void)
@@ -216,6 +252,7 @@ static void add_tests(void)
     g_test_add_func("/physics/tables/shaken-oscillator", test_shaken_oscillator);
     g_test_add_func("/physics/tables/spline", test_spline);
     g_test_add_func("/physics/tables/drive", test_drive);
+    g_test_add_func("/physics/tables/drive-and-jump", test_drive_and_jump);
 }
 
 int main(int argc, char **argv)

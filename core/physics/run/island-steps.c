@@ -57,7 +57,7 @@ static gboolean open_run(TinkerIslandRun *run, double horizon, GError **error)
     model->lacks_memory = FALSE;
     tinker_island_run_open_state(run);
     if (!tinker_island_run_open_stepper(run, error)) return FALSE;
-    if (!tinker_island_run_enter_piece(run, horizon, error)) return FALSE;
+    if (!tinker_island_run_enter_piece(run, horizon, NULL, error)) return FALSE;
     if (tinker_books_open(&run->books, &run->system) != TINKER_OK)
         return tinker_island_run_fail(run, model->failure, error);
     tinker_model_system_keep(&run->system, run->state.q, run->state.v);
@@ -188,7 +188,8 @@ gboolean tinker_island_run_step(TinkerIslandRun *run, double end, GError **error
     TinkerState *state = &run->state;
     tinker_constraints_end_look(run->model);
     if (!pass_event(run, error)) return FALSE;
-    if (state->t >= run->piece_end && !tinker_island_run_enter_piece(run, horizon_of(run, end), error)) return FALSE;
+    if (state->t >= run->piece_end && !tinker_island_run_enter_piece(run, horizon_of(run, end), NULL, error))
+        return FALSE;
     run->model->failure = "";
     run->model->constraints.gave_way = FALSE;
     double from = state->t, limit = step_limit(run, end);
@@ -215,9 +216,10 @@ gboolean tinker_island_run_step(TinkerIslandRun *run, double end, GError **error
  * goes on from here comes to the same break, and is refused then. */
 static gboolean pass_break(TinkerIslandRun *run, double end, GError **error)
 {
+    gboolean jumps;
     GError *refused = NULL;
-    if (tinker_island_run_enter_piece(run, horizon_of(run, end), &refused)) return TRUE;
-    if (!g_error_matches(refused, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_SCENE)) {
+    if (tinker_island_run_enter_piece(run, horizon_of(run, end), &jumps, &refused)) return TRUE;
+    if (!jumps) {
         g_propagate_error(error, refused);
         return FALSE;
     }

@@ -21,8 +21,9 @@ gboolean tinker_island_run_step(TinkerIslandRun *run, double end, GError **error
 gboolean tinker_island_run_pass_instant(TinkerIslandRun *run, double end, GError **error);
 
 /* Enters the piece that begins at the state's time: waveforms switch, a jump of a support is booked, and one that a
- * constraint feels is refused. */
-gboolean tinker_island_run_enter_piece(TinkerIslandRun *run, double horizon, GError **error);
+ * constraint feels is refused: `jumps`, which may be NULL, says that it was for this, and then nothing is changed but
+ * the piece that the model is in. */
+gboolean tinker_island_run_enter_piece(TinkerIslandRun *run, double horizon, gboolean *jumps, GError **error);
 
 /* After a step: counts it, and looks into the books now and then. FALSE where the run has to stop. */
 gboolean tinker_island_run_watch(TinkerIslandRun *run, const TinkerStepReport *report, GError **error);

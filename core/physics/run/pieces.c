@@ -29,7 +29,10 @@ static TinkerBlockId constraint_at(const TinkerModel *model, int32_t point)
     return TINKER_NO_BLOCK;
 }
 
-static gboolean refuse_jump(TinkerIslandRun *run, TinkerBlockId block, TinkerBlockId felt_by, GError **error)
+/* What the two sides of a break are to each other. */
+typedef enum { SIDES_FIT, SIDES_JUMP, SIDES_UNKNOWN } Sides;
+
+static Sides refuse_jump(TinkerIslandRun *run, TinkerBlockId block, TinkerBlockId felt_by, GError **error)
 {
     TinkerModel *model = run->model;
     g_set_error(
@@ -37,10 +40,10 @@ static gboolean refuse_jump(TinkerIslandRun *run, TinkerBlockId block, TinkerBlo
         _("%s: its motion jumps at t = %.10g s, which %s cannot follow (give it a motion without a jump in place or "
           "speed, or use a spring)"),
         tinker_scene_block_name(model->scene, block), run->state.t, tinker_scene_block_name(model->scene, felt_by));
-    return FALSE;
+    return SIDES_JUMP;
 }
 
-static gboolean check_jumps(TinkerIslandRun *run, const TinkerPoint *before, GError **error)
+static Sides check_jumps(TinkerIslandRun *run, const TinkerPoint *before, GError **error)
 {
     TinkerModel *model = run->model;
     double extent, speed;
@@ -54,7 +57,7 @@ static gboolean check_jumps(TinkerIslandRun *run, const TinkerPoint *before, GEr
         TinkerBlockId felt_by = jumps ? constraint_at(model, point) : TINKER_NO_BLOCK;
         if (felt_by != TINKER_NO_BLOCK) return refuse_jump(run, support->block, felt_by, error);
     }
-    return TRUE;
+    return SIDES_FIT;
 }
 
 /* Where the rows are at the state: g, and dg/dt of what is prescribed. */
@@ -69,12 +72,15 @@ static gboolean rows_at_state(TinkerIslandRun *run, double *g, double *rate)
 }
 
 /* A row whose waveform jumps asks for a jump in place or speed. */
-static gboolean check_prescribed(TinkerIslandRun *run, const double *g, const double *rate, GError **error)
+static Sides check_prescribed(TinkerIslandRun *run, const double *g, const double *rate, GError **error)
 {
     TinkerModel *model = run->model;
     const TinkerConstraints *all = &model->constraints;
     g_autofree double *g_now = g_new(double, all->rows), *rate_now = g_new(double, all->rows);
-    if (!rows_at_state(run, g_now, rate_now)) return tinker_island_run_fail(run, model->failure, error);
+    if (!rows_at_state(run, g_now, rate_now)) {
+        tinker_island_run_fail(run, model->failure, error);
+        return SIDES_UNKNOWN;
+    }
     for (int32_t row = 0; row < all->rows; row++) {
         double scale = TINKER_JUMP * all->scales[row];
         if (fabs(g_now[row] - g[row]) <= scale && fabs(rate_now[row] - rate[row]) <= scale) continue;
@@ -83,9 +89,9 @@ static gboolean check_prescribed(TinkerIslandRun *run, const double *g, const do
             _("%s: what it prescribes jumps at t = %.10g s, which no motion can follow (give it a waveform without a "
               "jump in value or slope)"),
             tinker_scene_block_name(model->scene, all->blocks[row]), run->state.t);
-        return FALSE;
+        return SIDES_JUMP;
     }
-    return TRUE;
+    return SIDES_FIT;
 }
 
 static double potential(TinkerIslandRun *run)
@@ -131,34 +137,50 @@ static gboolean look_before(TinkerIslandRun *run, Before *before)
     return rows_at_state(run, before->g, before->rate);
 }
 
-static gboolean look_behind(TinkerIslandRun *run, const Before *before, GError **error)
+static Sides look_behind(TinkerIslandRun *run, const Before *before, GError **error)
 {
-    if (run->model->moving_supports > 0) {
-        if (!check_jumps(run, before->supports, error)) return FALSE;
-        book_jump(run, potential(run) - before->stored);
-    }
-    return before->g == NULL || check_prescribed(run, before->g, before->rate, error);
+    Sides sides = SIDES_FIT;
+    if (run->model->moving_supports > 0) sides = check_jumps(run, before->supports, error);
+    if (sides == SIDES_FIT && before->g != NULL) sides = check_prescribed(run, before->g, before->rate, error);
+    return sides;
 }
 
-gboolean tinker_island_run_enter_piece(TinkerIslandRun *run, double horizon, GError **error)
+/* Puts the model into the piece that `inside` lies in, unless what jumps on the way there is refused. */
+static gboolean cross_break(TinkerIslandRun *run, double inside, gboolean *jumps, GError **error)
 {
     TinkerModel *model = run->model;
-    tinker_island_run_place(run);
-    gboolean on_break = run->state.t > 0 && run->ends_on_break;
-    double t = run->state.t, next = tinker_model_next_break(model, t, horizon);
-    run->ends_on_break = isfinite(next);
-    run->piece_end = run->ends_on_break ? next : horizon;
-    run->pole = tinker_model_next_pole(model, &run->pole_block);
-    if (run->ends_on_break && tinker_break_crowd_add(&run->crowd, t, next, horizon)) {
-        g_autofree char *why = tinker_break_crowd_text(model, t, next);
-        return tinker_island_run_fail_step(run, why, error);
-    }
-    double inside = run->piece_end > t ? 0.5 * (t + run->piece_end) : t + 0.5;
+    const double t = run->state.t;
     g_auto(Before) before = {0};
     if (t > 0 && !look_before(run, &before)) return tinker_island_run_fail(run, model->failure, error);
     tinker_model_enter_piece(model, inside);
     if (tinker_model_set_time(model, t) != TINKER_OK) return tinker_island_run_fail(run, model->failure, error);
-    if (t > 0 && !look_behind(run, &before, error)) return FALSE;
+    if (!(t > 0)) return TRUE;
+    const Sides sides = look_behind(run, &before, error);
+    if (jumps != NULL) *jumps = sides == SIDES_JUMP;
+    if (sides != SIDES_FIT) return FALSE;
+    if (model->moving_supports > 0) book_jump(run, potential(run) - before.stored);
+    return TRUE;
+}
+
+gboolean tinker_island_run_enter_piece(TinkerIslandRun *run, double horizon, gboolean *jumps, GError **error)
+{
+    TinkerModel *model = run->model;
+    tinker_island_run_place(run);
+    const gboolean on_break = run->state.t > 0 && run->ends_on_break;
+    const double t = run->state.t, next = tinker_model_next_break(model, t, horizon);
+    const double end = isfinite(next) ? next : horizon;
+    TinkerBlockId pole_block = run->pole_block;
+    const double pole = tinker_model_next_pole(model, &pole_block);
+    if (jumps != NULL) *jumps = FALSE;
+    if (!cross_break(run, end > t ? 0.5 * (t + end) : t + 0.5, jumps, error)) return FALSE;
+    run->ends_on_break = isfinite(next);
+    run->piece_end = end;
+    run->pole = pole;
+    run->pole_block = pole_block;
+    if (run->ends_on_break && tinker_break_crowd_add(&run->crowd, t, next, horizon)) {
+        g_autofree char *why = tinker_break_crowd_text(model, t, next);
+        return tinker_island_run_fail_step(run, why, error);
+    }
     if (on_break && run->contacts != NULL && !tinker_contact_run_reclassify(run->contacts, error)) return FALSE;
     tinker_method_restart(run->choice.method, run->stepper);
     return !on_break || tinker_island_run_strike(run, error);
