@@ -74,6 +74,27 @@ static void test_idle_rod(void)
     g_assert_cmpuint(modes_count(a, TINKER_MODE_OSCILLATION), ==, 1);
 }
 
+/* Rounding holds nothing where the scene has a block that is asked for all its derivatives at once, either: the damper
+ * of a disc beside such a rod, which turns freely but for it. */
+static void test_idle_rod_and_damper(void)
+{
+    g_autoptr(ModesFixture) a = modes_about_rest(
+        "{'type': 'support', 'name': 'S', 'position': [-1.6660886291220398, 2.782730502334992], 'solid': false},"
+        "{'type': 'box', 'name': 'B', 'position': [-1.965822168426633, 1.7386057492876867], 'orientation': "
+        "1.2401418795091264},"
+        "{'type': 'mass', 'name': 'M', 'position': [2.2003071879029976, -1.0221386380768287]},"
+        "{'type': 'rod', 'ends': ['M', 'B']},"
+        "{'type': 'spring', 'stiffness': 253.29399405115262, 'rest_length': 0.15801550238107862, 'ends': [{'block': "
+        "'B', 'at': [0.3195146493222194, 0.0979616487181093]}, 'S']},"
+        "{'type': 'disc', 'name': 'D', 'position': [9, 0], 'solid': false},"
+        "{'type': 'support', 'name': 'U', 'position': [9, 0], 'solid': false},"
+        "{'type': 'pin', 'ends': ['U', 'D']}, {'type': 'torsional-damper', 'ends': ['U', 'D']}");
+    g_assert_true(a->analysis->about_rest);
+    g_assert_cmpuint(modes_count(a, TINKER_MODE_RIGID), ==, 4);
+    g_assert_cmpuint(modes_count(a, TINKER_MODE_OSCILLATION), ==, 1);
+    g_assert_cmpuint(modes_count(a, TINKER_MODE_DECAY), ==, 1);
+}
+
 static void test_straight_bar(void)
 {
     g_autoptr(ModesFixture) a = modes_about_rest("{'type': 'gravity', 'acceleration': 9.81},"
@@ -140,6 +161,7 @@ static void add_tests(void)
     g_test_add_func("/modes/driven-gears", test_driven_gears);
     g_test_add_func("/modes/turned-arm", test_turned_arm);
     g_test_add_func("/modes/idle-rod", test_idle_rod);
+    g_test_add_func("/modes/idle-rod-and-damper", test_idle_rod_and_damper);
     g_test_add_func("/modes/straight-bar", test_straight_bar);
     g_test_add_func("/modes/too-many", test_too_many);
 }

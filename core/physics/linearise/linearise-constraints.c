@@ -25,9 +25,9 @@ static void add_turned_arm(TinkerLinearisation *linear, const TinkerModel *model
                            const double force[2])
 {
     const int32_t turn = tinker_model_turn_of(model, at->body);
-    if (hypot(force[0], force[1]) <= linear->force_noise) return;
-    tinker_linear_begin_term(linear, linear->stiffness, at->arm[0] * force[0] + at->arm[1] * force[1]);
-    tinker_linear_add_entry(linear, linear->stiffness, turn, 1 / model->turns[model->turn_of[at->body]].gyration);
+    GArray *terms = hypot(force[0], force[1]) <= linear->force_noise ? linear->rounding : linear->stiffness;
+    tinker_linear_begin_term(linear, terms, at->arm[0] * force[0] + at->arm[1] * force[1]);
+    tinker_linear_add_entry(linear, terms, turn, 1 / model->turns[model->turn_of[at->body]].gyration);
 }
 
 void tinker_linear_add_turned_forces(TinkerLinearisation *linear, const TinkerModel *model)

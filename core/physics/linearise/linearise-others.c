@@ -8,12 +8,10 @@
 #include "physics/model/model-data.h"
 #include "physics/system/jacobian.h"
 
-/* Takes the part of lines and turned arms off a dense matrix; what is left within rounding of what was taken is
- * nothing. */
-static void take_terms(const TinkerLinearisation *linear, const GArray *terms, double *matrix)
+/* Takes terms off a dense matrix, and adds up in `taken` how much that was of each entry. */
+static void take_terms(const TinkerLinearisation *linear, const GArray *terms, double *matrix, double *taken)
 {
     gsize n = (gsize)linear->size;
-    g_autofree double *taken = g_new0(double, n *n);
     const TinkerLinearEntry *entries = (const TinkerLinearEntry *)(const void *)linear->entries->data;
     for (guint i = 0; i < terms->len; i++) {
         const TinkerLinearTerm *term = &g_array_index(terms, TinkerLinearTerm, i);
@@ -27,6 +25,11 @@ static void take_terms(const TinkerLinearisation *linear, const GArray *terms, d
                 taken[place] += fabs(part);
             }
     }
+}
+
+/* What is left of a dense matrix within rounding of what was taken off it is nothing. */
+static void clear_rounding(gsize n, const double *taken, double *matrix)
+{
     g_autofree double *most = g_new0(double, MAX(n, 1));
     for (gsize c = 0; c < n; c++)
         for (gsize r = 0; r < n; r++)
@@ -34,6 +37,18 @@ static void take_terms(const TinkerLinearisation *linear, const GArray *terms, d
     for (gsize c = 0; c < n; c++)
         for (gsize r = 0; r < n; r++)
             if (fabs(matrix[r + n * c]) <= 64 * DBL_EPSILON * fmax(most[r], most[c])) matrix[r + n * c] = 0;
+}
+
+/* Leaves what is no line and no turned arm, whose parts are terms of their own, or rounding. */
+static void take_lines(const TinkerLinearisation *linear, double *stiffness, double *damping)
+{
+    const gsize n = (gsize)linear->size;
+    g_autofree double *taken = g_new0(double, n *n), *damped = g_new0(double, n *n);
+    take_terms(linear, linear->stiffness, stiffness, taken);
+    take_terms(linear, linear->rounding, stiffness, taken);
+    clear_rounding(n, taken, stiffness);
+    take_terms(linear, linear->damping, damping, damped);
+    clear_rounding(n, damped, damping);
 }
 
 static gboolean is_zero(const double *x, gsize n)
@@ -117,8 +132,7 @@ TinkerStatus tinker_linear_add_others(TinkerLinearisation *linear, TinkerModel *
         gsize places = (gsize)linear->size * (gsize)linear->size;
         linear->other_stiffness = spread(pattern, stiffness);
         linear->other_damping = spread(pattern, damping);
-        take_terms(linear, linear->stiffness, linear->other_stiffness);
-        take_terms(linear, linear->damping, linear->other_damping);
+        take_lines(linear, linear->other_stiffness, linear->other_damping);
         status = add_couplings(linear, model);
         if (is_zero(linear->other_stiffness, places)) g_clear_pointer(&linear->other_stiffness, g_free);
         if (is_zero(linear->other_damping, places)) g_clear_pointer(&linear->other_damping, g_free);

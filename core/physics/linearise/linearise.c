@@ -94,13 +94,14 @@ static void add_line(TinkerLinearisation *linear, const TinkerModel *model, int3
     const TinkerPoint *pa = &model->point[a], *pb = &model->point[b];
     double reach = fmax(fmax(fabs(pa->x), fabs(pa->y)), fmax(fabs(pb->x), fabs(pb->y))) + line.length;
     double noise = 8 * DBL_EPSILON * fabs(line.along) * reach;
-    if (line.length > 0 && fabs(line.across) * line.length <= noise) line.across = 0;
+    const gboolean is_rounding = line.length > 0 && fabs(line.across) * line.length <= noise;
     linear->undefined_pulls += line.pull_undefined;
     linear->undefined_dampers += line.damping_undefined;
     add_line_term(linear, model, linear->stiffness, line.along, a, b, line.x, line.y);
-    add_line_term(linear, model, linear->stiffness, line.across, a, b, -line.y, line.x);
+    add_line_term(linear, model, is_rounding ? linear->rounding : linear->stiffness, line.across, a, b, -line.y,
+                  line.x);
     add_line_term(linear, model, linear->damping, line.damping, a, b, line.x, line.y);
-    linear->force_scale = fmax(linear->force_scale, fabs(line.across) * line.length);
+    if (!is_rounding) linear->force_scale = fmax(linear->force_scale, fabs(line.across) * line.length);
     linear->force_noise = fmax(linear->force_noise, noise);
 }
 
@@ -181,14 +182,6 @@ static void measure_extent(TinkerLinearisation *linear, const TinkerModel *model
     if (!(linear->extent > 0)) linear->extent = 1;
 }
 
-/* Before force elements and fields, whose jacobian has them, too. */
-static TinkerStatus add_turned_forces(TinkerLinearisation *linear, TinkerModel *model)
-{
-    const TinkerStatus status = tinker_model_applied(model, linear->force, FALSE);
-    if (status == TINKER_OK) tinker_linear_add_turned_forces(linear, model);
-    return status;
-}
-
 /* Forces at rest there, with those of the constraints; leaves lambda and the rows. */
 static TinkerStatus add_forces(TinkerLinearisation *linear, TinkerModel *model)
 {
@@ -212,6 +205,16 @@ static TinkerStatus add_forces(TinkerLinearisation *linear, TinkerModel *model)
     return status;
 }
 
+/* Before force elements and fields, whose jacobian has them, too; and after a look at how large all forces are, by
+ * which one is told from rounding. */
+static TinkerStatus add_turned_forces(TinkerLinearisation *linear, TinkerModel *model)
+{
+    TinkerStatus status = add_forces(linear, model);
+    if (status == TINKER_OK) status = tinker_model_applied(model, linear->force, FALSE);
+    if (status == TINKER_OK) tinker_linear_add_turned_forces(linear, model);
+    return status;
+}
+
 static TinkerLinearisation *allot(const TinkerModel *model)
 {
     TinkerLinearisation *linear = g_new0(TinkerLinearisation, 1);
@@ -220,7 +223,7 @@ static TinkerLinearisation *allot(const TinkerModel *model)
     linear->mass = g_memdup2(model->coordinate_mass, sizeof(double) * (gsize)MAX(linear->size, 1));
     linear->force = g_new0(double, MAX(linear->size, 1));
     linear->entries = g_array_new(FALSE, FALSE, sizeof(TinkerLinearEntry));
-    GArray **terms[] = {&linear->stiffness, &linear->damping, &linear->rows};
+    GArray **terms[] = {&linear->stiffness, &linear->rounding, &linear->damping, &linear->rows};
     for (gsize i = 0; i < G_N_ELEMENTS(terms); i++)
         *terms[i] = g_array_new(FALSE, FALSE, sizeof(TinkerLinearTerm));
     return linear;
@@ -254,6 +257,7 @@ void tinker_linearisation_free(TinkerLinearisation *linear)
     if (linear == NULL) return;
     g_array_unref(linear->entries);
     g_array_unref(linear->stiffness);
+    g_array_unref(linear->rounding);
     g_array_unref(linear->damping);
     g_array_unref(linear->rows);
     gpointer arrays[] = {linear->mass, linear->other_stiffness, linear->other_damping, linear->force};

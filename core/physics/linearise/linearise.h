@@ -29,6 +29,7 @@ typedef struct {
     double *mass;            /* size */
     GArray *entries;         /* of TinkerLinearEntry */
     GArray *stiffness;       /* of TinkerLinearTerm */
+    GArray *rounding;        /* of TinkerLinearTerm: stiffness of forces that are rounding, which counts as none */
     GArray *damping;         /* of TinkerLinearTerm */
     GArray *rows;            /* of TinkerLinearTerm: J, of the constraints that are tight and the closed contacts */
     double *other_stiffness; /* size by size, column by column: what is no line and no constraint; NULL: nothing */
