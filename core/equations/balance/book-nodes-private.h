@@ -52,12 +52,12 @@ void tinker_book_panels_clear(GArray *panels);
 /* The functions at a node of a panel. */
 void tinker_book_panel_take(TinkerBookPanel *panel, int point, const double values[TINKER_BOOK_FUNCTIONS]);
 
-/* Makes smaller the panels over which an integral is off by more than `allowed` (of each function), as long as there
- * are not more than `most` of them; narrow ones where a function has a jump or a kink. What the panels have taken is
- * forgotten. FALSE: there was none. */
+/* Makes smaller the panels over which an integral is off by more than `allowed` (of each function), the worst first, as
+ * long as there are not more than `most` of them; narrow ones where a function has a jump or a kink. What the panels
+ * have taken is forgotten. FALSE: none was made. */
 gboolean tinker_book_panels_refine(GArray *panels, const double allowed[TINKER_BOOK_FUNCTIONS], guint most);
 
-/* Halves all that are wider. */
-void tinker_book_panels_halve(GArray *panels, double width);
+/* Halves those that are wider, the widest first, within `most` as well. FALSE: none was. */
+gboolean tinker_book_panels_halve(GArray *panels, double width, guint most);
 
 #endif

@@ -13,13 +13,15 @@ static const double places[POINTS / 2] = {0.1834346424956498049394761, 0.5255324
 static const double weights[POINTS / 2] = {0.3626837833783619829651504, 0.3137066458778872873379622,
                                            0.2223810344533744705443560, 0.1012285362903762591525314};
 
-/* Parts of a panel that a function is smooth in, and of one that it jumps in: an end of the jump's own part is as near
- * to it after few runs. */
+/* Parts of a panel that a function is smooth in, and of one that it jumps in. Halves of the latter come nearer to the
+ * jump by 2 a run, and each is a run of the whole simulation: 16 do so by as much as 4 runs, for 15 panels a jump. */
 #define PARTS      2
 #define PARTS_JUMP 16
-/* From one pair of coefficients to the next: those of a jump or a kink all but stay as they are. */
+/* From one pair of coefficients (of degrees 4 and 5) to the next: those of a function that is smooth well beyond the
+ * panel, within Bernstein's ellipse of 2, fall by 1/4 or more; those of a jump by (5/7)^(1/2) = 0.85, and of a kink by
+ * (5/7)^(3/2) = 0.6, alone. */
 #define JUMPS 0.25
-/* Of a panel: what lies beyond its last point, unseen. */
+/* Of a panel: what lies beyond its last point, unseen: (1 - 0.9603) / 2. */
 #define BEYOND 0.02
 /* Last digits of a time: panels are not made narrower. */
 #define NARROWEST 1024
@@ -127,32 +129,45 @@ static double left_out(const TinkerBookPanel *panel, int function, double *ratio
     return (panel->to - panel->from) * last * pow(*ratio, 0.5 * POINTS);
 }
 
-/* Whether a jump may lie between the last point of a panel and the first of the next one, where no point sees it: what
- * both come to there differs. */
-static gboolean jumps_between(const TinkerBookPanel *panel, const TinkerBookPanel *next,
-                              const double allowed[TINKER_BOOK_FUNCTIONS])
+/* How far a jump that may lie between the last point of a panel and the first of the next one, where no point sees it,
+ * puts integrals off, in units of what is allowed: what both come to there differs. */
+static double jump_between(const TinkerBookPanel *panel, const TinkerBookPanel *next,
+                           const double allowed[TINKER_BOOK_FUNCTIONS])
 {
     const double width = BEYOND * fmax(panel->to - panel->from, next->to - next->from);
-    if (panel->piece != next->piece) return FALSE;
-    for (int f = 0; f < TINKER_BOOK_FUNCTIONS; f++)
-        if (width * fabs(next->end[f][0] - panel->end[f][1]) > allowed[f]) return TRUE;
-    return FALSE;
+    double most = 0;
+    for (int f = 0; f < TINKER_BOOK_FUNCTIONS && panel->piece == next->piece; f++) {
+        const double off = width * fabs(next->end[f][0] - panel->end[f][1]);
+        if (off > allowed[f]) most = fmax(most, off / (allowed[f] + DBL_MIN));
+    }
+    return most;
 }
 
-/* In how many parts a panel is to be taken; 1: it is good as it is. */
-static int parts_of(const GArray *panels, guint number, const double allowed[TINKER_BOOK_FUNCTIONS])
+/* What a panel asks for: in how many parts it is to be taken, 1 where it is good as it is, and how far it is off in
+ * units of what is allowed. */
+typedef struct {
+    guint panel;
+    int parts;
+    double off;
+} Wish;
+
+static Wish wish_of(const GArray *panels, guint number, const double allowed[TINKER_BOOK_FUNCTIONS])
 {
     const TinkerBookPanel *panel = &g_array_index(panels, TinkerBookPanel, number);
-    int parts = 1;
-    if (panel->to - panel->from < NARROWEST * DBL_EPSILON * fmax(fabs(panel->from), fabs(panel->to))) return parts;
+    Wish wish = {number, 1, 0};
+    if (panel->to - panel->from < NARROWEST * DBL_EPSILON * fmax(fabs(panel->from), fabs(panel->to))) return wish;
     for (int f = 0; f < TINKER_BOOK_FUNCTIONS; f++) {
         double ratio;
-        if (left_out(panel, f, &ratio) > allowed[f]) parts = MAX(parts, ratio > JUMPS ? PARTS_JUMP : PARTS);
+        const double off = left_out(panel, f, &ratio);
+        if (!(off > allowed[f])) continue;
+        wish.parts = MAX(wish.parts, ratio > JUMPS ? PARTS_JUMP : PARTS);
+        wish.off = fmax(wish.off, off / (allowed[f] + DBL_MIN));
     }
-    if (parts > 1) return parts;
-    const gboolean jumps = (number > 0 && jumps_between(panel - 1, panel, allowed)) ||
-                           (number + 1 < panels->len && jumps_between(panel, panel + 1, allowed));
-    return jumps ? PARTS_JUMP : parts;
+    if (wish.parts > 1) return wish;
+    if (number > 0) wish.off = jump_between(panel - 1, panel, allowed);
+    if (number + 1 < panels->len) wish.off = fmax(wish.off, jump_between(panel, panel + 1, allowed));
+    if (wish.off > 0) wish.parts = PARTS_JUMP;
+    return wish;
 }
 
 static void add_parts(GArray *panels, const TinkerBookPanel *panel, int parts)
@@ -174,28 +189,53 @@ static void replace(GArray *panels, GArray *made)
     g_array_unref(made);
 }
 
-gboolean tinker_book_panels_refine(GArray *panels, const double allowed[TINKER_BOOK_FUNCTIONS], guint most)
+static int by_off(gconstpointer left, gconstpointer right)
 {
-    GArray *made = g_array_new(FALSE, TRUE, sizeof(TinkerBookPanel));
-    guint left = most > panels->len ? most - panels->len : 0, found = 0;
-    for (guint i = 0; i < panels->len; i++) {
-        const TinkerBookPanel *panel = &g_array_index(panels, TinkerBookPanel, i);
-        int parts = parts_of(panels, i, allowed);
-        if ((guint)parts - 1 > left) parts = left > 0 ? PARTS : 1;
-        add_parts(made, panel, parts);
-        left -= (guint)parts - 1;
-        found += parts > 1;
-    }
-    replace(panels, made);
-    return found > 0;
+    const Wish *a = left, *b = right;
+    if (a->off != b->off) return a->off > b->off ? -1 : 1;
+    return a->panel < b->panel ? -1 : 1;
 }
 
-void tinker_book_panels_halve(GArray *panels, double width)
+/* Grants wishes as long as there are not more than `most` panels, the worst first; FALSE: none was. */
+static gboolean grant(GArray *panels, GArray *wishes, guint most)
 {
+    guint left = most > panels->len ? most - panels->len : 0;
+    g_autofree int *parts = g_new(int, MAX(panels->len, 1));
+    g_autoptr(GArray) sorted = g_array_copy(wishes);
+    gboolean found = FALSE;
+    g_array_sort(sorted, by_off);
+    for (guint i = 0; i < sorted->len; i++) {
+        const Wish *wish = &g_array_index(sorted, Wish, i);
+        int *given = &parts[wish->panel];
+        *given = (guint)wish->parts - 1 <= left ? wish->parts : left > 0 ? PARTS : 1;
+        left -= (guint)*given - 1;
+        found = found || *given > 1;
+    }
     GArray *made = g_array_new(FALSE, TRUE, sizeof(TinkerBookPanel));
+    for (guint i = 0; i < panels->len; i++)
+        add_parts(made, &g_array_index(panels, TinkerBookPanel, i), parts[i]);
+    replace(panels, made);
+    return found;
+}
+
+gboolean tinker_book_panels_refine(GArray *panels, const double allowed[TINKER_BOOK_FUNCTIONS], guint most)
+{
+    g_autoptr(GArray) wishes = g_array_new(FALSE, FALSE, sizeof(Wish));
+    for (guint i = 0; i < panels->len; i++) {
+        const Wish wish = wish_of(panels, i, allowed);
+        g_array_append_val(wishes, wish);
+    }
+    return grant(panels, wishes, most);
+}
+
+gboolean tinker_book_panels_halve(GArray *panels, double width, guint most)
+{
+    g_autoptr(GArray) wishes = g_array_new(FALSE, FALSE, sizeof(Wish));
     for (guint i = 0; i < panels->len; i++) {
         const TinkerBookPanel *panel = &g_array_index(panels, TinkerBookPanel, i);
-        add_parts(made, panel, panel->to - panel->from > width ? PARTS : 1);
+        const double whole = panel->to - panel->from;
+        const Wish wish = {i, whole > width ? PARTS : 1, whole};
+        g_array_append_val(wishes, wish);
     }
-    replace(panels, made);
+    return grant(panels, wishes, most);
 }

@@ -177,10 +177,12 @@ static gboolean refine(const TinkerBookKeeper *keeper, const GArray *before, int
     const double work = STANDS_STILL * books->energy.scale, impulse = STANDS_STILL * books->impulse.scale;
     const double allowed[TINKER_BOOK_FUNCTIONS] = {work, impulse, impulse, STANDS_STILL * books->moment.scale};
     if (tinker_book_panels_refine(keeper->panels, allowed, MOST_PANELS)) return TRUE;
-    if (change_of(books, before) <= STANDS_STILL || *wide >= MOST_PANELS) return FALSE;
-    *wide *= 2;
-    tinker_book_panels_halve(keeper->panels, (books->to - books->from) / *wide);
-    return TRUE;
+    if (change_of(books, before) <= STANDS_STILL) return FALSE;
+    while (*wide < MOST_PANELS) {
+        *wide *= 2;
+        if (tinker_book_panels_halve(keeper->panels, (books->to - books->from) / *wide, MOST_PANELS)) return TRUE;
+    }
+    return FALSE;
 }
 
 static gboolean keep(TinkerBookKeeper *keeper, const TinkerRunOptions *options, const GArray *cuts, gboolean jump,
