@@ -200,7 +200,7 @@ static inline gboolean is_to_short_row(const TinkerTypedQuestion *question, cons
  * most, all of a row. */
 void tinker_typed_ask(const TinkerTypedQuestion *question, int by, int and_by, double *results)
 {
-    const TinkerTypedLaw *law = question->laws[0];
+    const TinkerTypedLaw *law = question->count > 0 ? question->laws[0] : NULL;
     if (law == NULL || !is_to_short_row(question, law->row)) {
         ask_runs(question, by, and_by, results);
         return;

@@ -273,9 +273,10 @@ typedef struct {
     guint count;
 } Turns;
 
-/* How far (canvas units, downwards) labels at the right of the arcs make way for a force that points there: one that is
- * steeper than FLAT passes them by. */
+/* Up over across: a steeper force passes by labels beside it. */
 #define FLAT 0.6
+
+/* How far (canvas units, downwards) labels at the right of the arcs make way for a force that points there. */
 static double way_of(const DiagramDrawing *drawing, double half)
 {
     for (guint i = 0; i < drawing->forces->len; i++) {
