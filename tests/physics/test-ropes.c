@@ -186,12 +186,43 @@ static void test_too_short(void)
     physics_assert_near("the slack of the rope that was put right", physics_last(run, 0), 0, 1e-12);
 }
 
+/* A rope to what is welded to where the rope goes neither shortens nor pulls more than it is given: the weld holds, at
+ * a start, through a blow, and where speeds that the scene gives are taken away but for their rounding. */
+static void test_held(void)
+{
+    static const char *const methods[] = {"dop853", "rk4", "verlet"};
+    for (gsize i = 0; i < G_N_ELEMENTS(methods); i++) {
+        const PhysicsOptions options = {.method = methods[i], .step = 0.01, .duration = 1};
+        g_autoptr(PhysicsRun) struck = physics_run(
+            &options, "{'type': 'gravity', 'angle': 2.070544322161477},"
+                      "{'type': 'support', 'solid': false, 'position': [0.14586114666005434, 0.0708852979743051],"
+                      "'orientation': -0.18165282134103666},"
+                      "{'type': 'mass', 'mass': 2.547, 'position': [0.5938256615246744, 0.2203808153771591]},"
+                      "{'type': 'weld', 'ends': [{'block': 'Support 0', 'at': [0.41358672679167297, "
+                      "0.2279630139368919]}, 'Mass 0']}, {'type': 'rope', 'ends': ['Mass 0', 'Support 0']},"
+                      "{'type': 'impulse', 'ends': ['Mass 0'], 'impulse': 0.1, 'angle': 2.6, 'time': 0.3}");
+        contact_assert_state(struck, "Mass 0", (double[]){0.5938256615246744, 0.2203808153771591, 0, 0}, 1e-12);
+        g_autoptr(PhysicsRun) hurled = physics_run(
+            &options,
+            "{'type': 'support', 'solid': false, 'position': [-35.06129844630064, -71.43961897374747]},"
+            "{'type': 'box', 'mass': 0.0018057819342980474, 'orientation': 1.6257587563780103, 'solid': false,"
+            "'width': 76.50527917048868, 'height': 195.60386662995788, 'position': [109.16244782222346, "
+            "-108.2726639328163], 'velocity': [-2822.6620025755296, 6408.561016258771]},"
+            "{'type': 'weld', 'ends': [{'block': 'Box 0', 'at': [49.44391973373346, 99.84957049970797]},"
+            "{'block': 'Support 0', 'at': [41.80876409332889, 7.0509994496508135]}]},"
+            "{'type': 'rope', 'ends': [{'block': 'Box 0', 'at': [46.364776100200224, 106.11649704511387]},"
+            "{'block': 'Support 0', 'at': [-45.8577268208563, -104.9380349476844]}]}");
+        contact_assert_state(hurled, "Box 0", (double[]){109.16244782222346, -108.2726639328163, 0, 0}, 1e-9);
+    }
+}
+
 static void add_tests(void)
 {
     g_test_add_func("/physics/ropes/tackles", test_tackles);
     g_test_add_func("/physics/ropes/thrown", test_thrown);
     g_test_add_func("/physics/ropes/limit-of-stiff-springs", test_limit_of_stiff_springs);
     g_test_add_func("/physics/ropes/too-short", test_too_short);
+    g_test_add_func("/physics/ropes/held", test_held);
     g_test_add_func("/physics/ropes/catches", test_catches);
     g_test_add_func("/physics/ropes/leaves-the-circle", test_leaves_the_circle);
     g_test_add_func("/physics/ropes/pulls-together", test_pulls_together);

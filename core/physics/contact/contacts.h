@@ -420,6 +420,9 @@ void tinker_contacts_tie(const TinkerModel *model, int32_t row, int32_t *sets);
 int32_t tinker_contacts_row_body(const TinkerContacts *contacts, int32_t row);
 /* v += what the multiplier `lambda` of a row that holds in one direction only, slack or not, does to all bodies. */
 void tinker_contacts_pull(TinkerContacts *contacts, int32_t row, double lambda, double *v);
+/* Whether other constraints leave such a row nothing to move along: a rope to a body that is welded to where the rope
+ * goes. All rows that hold in one direction only are to be slack. */
+gboolean tinker_contacts_row_is_held(TinkerContacts *contacts, int32_t row);
 
 /* The moment (N m) that resists the rolling of a closed contact, on the body that has the tip of its gap. */
 double tinker_contacts_moment(const TinkerContacts *contacts, int32_t number);

@@ -15,6 +15,7 @@ typedef struct {
     int32_t row;           /* -1: a plate */
     TinkerContactPlace place;
     TinkerContactMode was; /* before the event; OPEN where it was not closed */
+    gboolean held; /* a row that neither anything acting nor anything prescribed can move: its speed is rounding */
     gboolean struck;
     gboolean at_end;  /* of the top: it ends unless something stops the body there */
     gboolean leaves;  /* it has just opened, and is asked for impulses alone: a blow may throw it back */
@@ -123,6 +124,8 @@ TinkerStatus tinker_change_set_state(const TinkerContactChange *change);
 
 /* Takes everything of the group that touches, within `tolerance` (m). */
 void tinker_change_take(TinkerContactChange *change, double tolerance);
+/* Notes which of them are held; the model is at the state of the run, and nothing of the group is closed. */
+void tinker_change_note_held(TinkerContactChange *change);
 /* Takes what is `dropped` off the list. */
 void tinker_change_drop(TinkerContactChange *change);
 /* Looks where they are now. */

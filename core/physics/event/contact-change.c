@@ -222,8 +222,11 @@ static gboolean change_group(TinkerContactRun *self, const TinkerTrigger *trigge
         tinker_change_set_state(&change) == TINKER_OK || tinker_change_refuse(&change, self->model->failure, error);
     if (done) {
         tinker_change_take(&change, tolerance);
+        done =
+            tinker_change_set_state(&change) == TINKER_OK || tinker_change_refuse(&change, self->model->failure, error);
+        if (done) tinker_change_note_held(&change);
         include_relative_speeds(&change);
-        done = tinker_change_set_state(&change) == TINKER_OK && tinker_change_strike(&change, error);
+        done = done && tinker_change_strike(&change, error);
     }
     if (done) turn_bodies(&change);
     done = done && settle_contacts(&change, error);

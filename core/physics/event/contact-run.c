@@ -180,12 +180,13 @@ static gboolean pass_trigger(TinkerContactRun *self, const TinkerTrigger *trigge
 
 static gboolean is_crowded(TinkerContactRun *self)
 {
-    double t = self->run->state.t, passed = t - self->crowd_began;
+    /* at a start the time itself is as short as what has passed of it */
+    const double t = self->run->state.t, passed = t - self->crowd_began, most = fmax(fabs(t), self->usual);
     if (++self->crowd < CROWD) return FALSE;
     self->crowd = 0;
     self->crowd_began = t;
-    self->slow_crowds = passed <= TINKER_SLOW_CROWDED * fabs(t) ? self->slow_crowds + 1 : 0;
-    return passed <= TINKER_CROWDED * fabs(t) || self->slow_crowds >= SLOW_CROWDS;
+    self->slow_crowds = passed <= TINKER_SLOW_CROWDED * most ? self->slow_crowds + 1 : 0;
+    return passed <= TINKER_CROWDED * most || self->slow_crowds >= SLOW_CROWDS;
 }
 
 /* Shapes that have come to overlap without touching, from below or past an end of a top, do so until they have parted.

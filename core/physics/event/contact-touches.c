@@ -91,8 +91,9 @@ gboolean tinker_change_is_trigger(const TinkerContactChange *change, const Tinke
 static TinkerContactPlace place_of(const TinkerContactChange *change, const TinkerTouch *at)
 {
     if (at->row < 0) return tinker_contact_place(change->contacts, at->contact.body, at->contact.plate);
-    return (TinkerContactPlace){.gap = -change->model->constraints.own_g[at->row],
-                                .normal_speed = -tinker_constraints_own_rate(change->model, at->row)};
+    const TinkerModel *model = change->model;
+    return (TinkerContactPlace){.gap = -model->constraints.own_g[at->row],
+                                .normal_speed = at->held ? 0 : -tinker_constraints_own_rate(model, at->row)};
 }
 
 void tinker_change_measure(TinkerContactChange *change)
@@ -235,6 +236,26 @@ void tinker_change_take(TinkerContactChange *change, double tolerance)
     take_rows(change, tolerance);
 }
 
+/* Whether any constraint holds in both directions. */
+static gboolean is_any_rigid(const TinkerConstraints *all)
+{
+    for (int32_t row = 0; row < all->rows; row++)
+        if (all->unilateral == NULL || !all->unilateral[row]) return TRUE;
+    return FALSE;
+}
+
+void tinker_change_note_held(TinkerContactChange *change)
+{
+    const TinkerModel *model = change->model;
+    if (model->constraints.prescribed || model->moving_supports > 0 || !is_any_rigid(&model->constraints)) return;
+    for (guint i = 0; i < change->touches->len; i++) {
+        TinkerTouch *at = tinker_touch(change, i);
+        if (at->row < 0) continue;
+        at->held = tinker_contacts_row_is_held(change->contacts, at->row);
+        at->place = place_of(change, at);
+    }
+}
+
 /* Pushes ----------------------------------------------------------------------------------------------------------- */
 
 /* v += what an impulse (pn, pt) at a contact does. */
@@ -272,7 +293,7 @@ static void along_contact(const TinkerContactChange *change, guint number, const
     const TinkerTouch *at = tinker_touch(change, number);
     *tangential = 0;
     if (at->row >= 0) {
-        *normal = -tinker_constraints_own_row_times(change->model, at->row, by_body);
+        *normal = at->held ? 0 : -tinker_constraints_own_row_times(change->model, at->row, by_body);
         return;
     }
     double along[2];
@@ -381,7 +402,8 @@ TinkerStatus tinker_contact_laws_init(TinkerContactLaws *laws, const TinkerConta
     laws->delassus = m <= MOST_TOUCHES ? g_try_new0(double, 4 * m * m) : NULL;
     if (laws->delassus == NULL) return tinker_contacts_lack_memory(change->contacts, m);
     for (guint column = 0; column < 2 * m; column++) {
-        if (column % 2 == 1 && tinker_touch(change, column / 2)->row >= 0) continue;
+        const TinkerTouch *at = tinker_touch(change, column / 2);
+        if (at->held || (column % 2 == 1 && at->row >= 0)) continue;
         memset(answer, 0, (gsize)change->model->coordinates * sizeof(double));
         push(change, column / 2, column % 2 == 0, column % 2 == 1, answer);
         for (guint i = 0; i < m; i++)
@@ -410,7 +432,7 @@ gboolean tinker_change_accelerations(TinkerContactChange *change, double *pairs,
             const double *base = model->point_acceleration + 2 * plate->point, *n = plate->normal;
             pairs[2 * i] -= n[0] * base[0] + n[1] * base[1];
             pairs[2 * i + 1] -= n[1] * base[0] - n[0] * base[1];
-        } else {
+        } else if (!at->held) {
             pairs[2 * i] -= tinker_constraints_own_drift(model, at->row);
         }
         *scale = fmax(*scale, hypot(pairs[2 * i], pairs[2 * i + 1]) +
