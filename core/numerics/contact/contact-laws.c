@@ -40,18 +40,20 @@ static int32_t bearer_of(const TinkerClosedContacts *closed, int32_t k)
     return closed->bearer != NULL ? closed->bearer[k] : k;
 }
 
-/* Of forces and the accelerations `a` that they leave. What is short of its limit and was to hold does not slip by what
- * an answer that is found no better leaves it (`loose`); friction may be of no use to what is moved along by others. */
-static TinkerContactMode mode_of(const TinkerClosedContacts *closed, const TinkerContactProblem *problem, int32_t k,
-                                 const double *forces, const double *a, double loose)
+static TinkerContactMode mode_of(const TinkerClosedContacts *closed, int32_t k, double force, const double *a)
 {
-    const int32_t bearer = bearer_of(closed, k), t = 2 * k + 1;
-    const double normal = tinker_contact_normal(problem, forces, k), limit = problem->friction[k] * normal;
-    if (bearer >= 0 && a[2 * bearer] > 0 && !(normal > 0)) return TINKER_CONTACT_OPEN;
-    const gboolean holds = fabs(a[t]) <= loose && fabs(forces[t]) < (1 - TINKER_AT_BOUND) * limit;
-    if (closed->sliding[k] == 0 && holds) return TINKER_CONTACT_STICK;
-    double along = closed->sliding[k] != 0 ? closed->sliding[k] : a[t];
+    const int32_t bearer = bearer_of(closed, k);
+    if (bearer >= 0 && a[2 * bearer] > 0 && !(force > 0)) return TINKER_CONTACT_OPEN;
+    double along = closed->sliding[k] != 0 ? closed->sliding[k] : a[2 * k + 1];
     return along > 0 ? TINKER_CONTACT_SLIP_FORWARD : along < 0 ? TINKER_CONTACT_SLIP_BACKWARD : TINKER_CONTACT_STICK;
+}
+
+/* Whether it was to hold and does, short of its limit, though an answer that is found no better leaves it an
+ * acceleration along (`loose` at most). A larger one is that of what others move along, where friction is of no use. */
+static gboolean holds_surely(const TinkerClosedContacts *closed, int32_t k, double limit, double friction, double along,
+                             double loose)
+{
+    return closed->sliding[k] == 0 && fabs(friction) < (1 - TINKER_AT_BOUND) * limit && fabs(along) <= loose;
 }
 
 /* Contacts that begin to slip rub from then on; with less friction they may still hold, and others may give way. */
@@ -78,7 +80,9 @@ TinkerContactResult tinker_contact_modes(const TinkerClosedContacts *closed, Tin
         const double loose = TINKER_PIVOTED * tinker_largest(2 * m, room.size);
         for (int32_t k = 0; k < m; k++) {
             const double normal = tinker_contact_normal(&problem, forces, k);
-            modes[k] = mode_of(closed, &problem, k, forces, room.v, loose);
+            const double limit = room.friction[k] * normal;
+            const gboolean holds = holds_surely(closed, k, limit, forces[2 * k + 1], room.v[2 * k + 1], loose);
+            modes[k] = holds ? TINKER_CONTACT_STICK : mode_of(closed, k, normal, room.v);
             gboolean slips = modes[k] == TINKER_CONTACT_SLIP_FORWARD || modes[k] == TINKER_CONTACT_SLIP_BACKWARD;
             if (!slips || !(normal > 0) || !(room.friction[k] > closed->dynamic_friction[k])) continue;
             room.friction[k] = closed->dynamic_friction[k];
