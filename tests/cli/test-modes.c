@@ -36,10 +36,11 @@ static void test_table(CliFixture *fixture, gconstpointer data)
 /* Places are those of bodies, with the angle of one that turns: a bar of 1 m hangs from its end. */
 static void test_places(CliFixture *fixture, gconstpointer data)
 {
-    cli_write(fixture, "bar.json",
-              "{\"tinker\": 1, \"blocks\": [{\"type\": \"gravity\"}, {\"type\": \"support\", \"solid\": false}, "
-              "{\"type\": \"bar\", \"position\": [0.5, 0]}, {\"type\": \"pin\", \"ends\": [\"Support 0\", "
-              "{\"block\": \"Bar 0\", \"at\": [-0.5, 0]}]}]}");
+    g_autofree char *path =
+        cli_write(fixture, "bar.json",
+                  "{\"tinker\": 1, \"blocks\": [{\"type\": \"gravity\"}, {\"type\": \"support\", \"solid\": false}, "
+                  "{\"type\": \"bar\", \"position\": [0.5, 0]}, {\"type\": \"pin\", \"ends\": [\"Support 0\", "
+                  "{\"block\": \"Bar 0\", \"at\": [-0.5, 0]}]}]}");
     g_autoptr(TestProgram) program = cli_run_well(fixture, "modes @bar.json --json -");
     cJSON *root = cJSON_Parse(program->output);
     const cJSON *places = cJSON_GetObjectItem(root, "places"), *place = cJSON_GetArrayItem(places, 0);
