@@ -6,10 +6,9 @@
 gboolean edit_has_ends(const TinkerFrame *frame, TinkerBlockId block)
 {
     const TinkerBlockClass *block_class = tinker_scene_block_class(tinker_frame_scene(frame), block);
-    const gboolean turns = block_class != NULL && block_class->physics != NULL && block_class->physics->body != NULL &&
-                           block_class->physics->body->degrees_of_freedom == 3;
     const double width = tinker_frame_meaning(frame, block, TINKER_MEANING_WIDTH, 0, 0);
-    return turns && width > 0 && width > LONG * tinker_frame_meaning(frame, block, TINKER_MEANING_HEIGHT, 0, 0);
+    return tinker_block_class_turns(block_class) && width > 0 &&
+           width > LONG * tinker_frame_meaning(frame, block, TINKER_MEANING_HEIGHT, 0, 0);
 }
 
 gboolean tinker_is_joint(TinkerScene *scene, TinkerBlockId block)

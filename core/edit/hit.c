@@ -70,22 +70,6 @@ gboolean edit_is_handle_of_end(TinkerFrame *frame, TinkerHit hit)
            (hit.part == start || hit.part == end);
 }
 
-static gboolean is_body(const TinkerBlockClass *block_class)
-{
-    return block_class != NULL && block_class->physics != NULL && block_class->physics->body != NULL;
-}
-
-static gboolean can_move(const TinkerBlockClass *block_class)
-{
-    return is_body(block_class) && block_class->physics->body->degrees_of_freedom > 0;
-}
-
-/* Whether the type's ends may be attached to this body. */
-static gboolean accepts(const TinkerBlockType *type, const TinkerBlockClass *body)
-{
-    return is_body(body) && (type->end_accepts & (can_move(body) ? TINKER_ACCEPTS_BODY : TINKER_ACCEPTS_SUPPORT)) != 0;
-}
-
 int32_t edit_hit_connectables(TinkerFrame *frame, TinkerBlockId connector, double x, double y, double reach,
                               TinkerBlockId *blocks, int32_t room)
 {
@@ -98,7 +82,7 @@ int32_t edit_hit_connectables(TinkerFrame *frame, TinkerBlockId connector, doubl
             TinkerBlockId block = tinker_scene_block_at(scene, place);
             const TinkerBlockClass *block_class = tinker_scene_block_class(scene, block);
             if (block == connector || tinker_frame_layer(frame, block) != layer) continue;
-            if (!accepts(connector_class->type, block_class)) continue;
+            if (!tinker_block_class_accepts(connector_class, block_class)) continue;
             TinkerInstance instance;
             if (!tinker_frame_instance(frame, block, &instance) || !is_placed(&instance)) continue;
             if (edit_hit(block_class, &instance, x, y, reach) != TINKER_PART_NONE) blocks[count++] = block;
@@ -143,7 +127,7 @@ static TinkerBlockId body_beneath(TinkerFrame *frame, TinkerBlockId connector, d
     TinkerBlockId under[MOST_UNDER], first = TINKER_NO_BLOCK;
     const int32_t count = edit_hit_connectables(frame, connector, x, y, reach, under, MOST_UNDER);
     for (int32_t i = 0; i < count; i++) {
-        if (!can_move(tinker_scene_block_class(scene, under[i]))) continue;
+        if (!tinker_block_class_moves(tinker_scene_block_class(scene, under[i]))) continue;
         if (is_on(scene, connector, under[i])) return under[i];
         if (first == TINKER_NO_BLOCK) first = under[i];
     }
@@ -154,7 +138,7 @@ static TinkerBlockId first_of_ends(TinkerScene *scene, TinkerBlockId connector)
 {
     for (int32_t k = 0; k < tinker_scene_end_count(scene, connector); k++) {
         const TinkerBlockId on = tinker_scene_end(scene, connector, k).block;
-        if (on != TINKER_NO_BLOCK && can_move(tinker_scene_block_class(scene, on))) return on;
+        if (on != TINKER_NO_BLOCK && tinker_block_class_moves(tinker_scene_block_class(scene, on))) return on;
     }
     return TINKER_NO_BLOCK;
 }

@@ -28,13 +28,6 @@ static void on_placeholder(GPtrArray *all, TinkerScene *scene, TinkerBlockId blo
     advice_add_block(advice_add(all, TINKER_ADVICE_MISSING_TYPE, TRUE, message), block);
 }
 
-static gboolean accepts(const TinkerBlockClass *connector, const TinkerBlockClass *target)
-{
-    if (target == NULL || target->physics == NULL || target->physics->body == NULL) return FALSE;
-    uint32_t needed = target->physics->body->degrees_of_freedom == 0 ? TINKER_ACCEPTS_SUPPORT : TINKER_ACCEPTS_BODY;
-    return (connector->type->end_accepts & needed) != 0;
-}
-
 /* The distance of a place from a body's box, or from its rim where it is round; 0 inside. */
 static double distance_from(const TinkerFrame *frame, TinkerBlockId body, const double place[2])
 {
@@ -65,7 +58,7 @@ static TinkerBlockId nearest_target(const TinkerFrame *frame, TinkerBlockId conn
     TinkerBlockId nearest = TINKER_NO_BLOCK;
     for (int32_t i = 0; i < tinker_scene_block_count(scene); i++) {
         TinkerBlockId block = tinker_scene_block_at(scene, i);
-        if (!accepts(block_class, tinker_scene_block_class(scene, block))) continue;
+        if (!tinker_block_class_accepts(block_class, tinker_scene_block_class(scene, block))) continue;
         double distance = distance_from(frame, block, place);
         if (!(distance <= reach) || has_end_on(scene, connector, block)) continue;
         if (distance == reach && nearest != TINKER_NO_BLOCK &&
@@ -87,9 +80,7 @@ static const TinkerBlockClass *support_for(TinkerScene *scene, const TinkerBlock
         const TinkerTypeEntry *entry = g_ptr_array_index(types, i);
         if (g_strcmp0(entry->category, TINKER_CONNECTABLE) != 0) continue;
         const TinkerBlockClass *block_class = tinker_catalogue_type(catalogue, entry->id, NULL);
-        if (block_class != NULL && block_class->physics != NULL && block_class->physics->body != NULL &&
-            block_class->physics->body->degrees_of_freedom == 0)
-            return block_class;
+        if (tinker_block_class_stands(block_class)) return block_class;
     }
     return NULL;
 }

@@ -3,16 +3,10 @@
 
 #include "numerics/solve/disjoint-sets.h"
 
-static const TinkerBody *body_of(const TinkerBlockClass *block_class)
-{
-    return block_class == NULL || block_class->physics == NULL ? NULL : block_class->physics->body;
-}
-
 gboolean start_can_move(const TinkerScene *scene, TinkerBlockId block)
 {
     const TinkerBlockClass *block_class = tinker_scene_block_class(scene, block);
-    const TinkerBody *body = body_of(block_class);
-    return body != NULL && body->degrees_of_freedom > 0 && block_class->meanings[TINKER_MEANING_POSITION] >= 0 &&
+    return tinker_block_class_moves(block_class) && block_class->meanings[TINKER_MEANING_POSITION] >= 0 &&
            block_class->meanings[TINKER_MEANING_VELOCITY] >= 0;
 }
 

@@ -7,8 +7,7 @@
 
 gboolean start_turns(const TinkerScene *scene, TinkerBlockId body)
 {
-    const TinkerBlockClass *block_class = tinker_scene_block_class(scene, body);
-    return start_can_move(scene, body) && block_class->physics->body->degrees_of_freedom == 3;
+    return start_can_move(scene, body) && tinker_block_class_turns(tinker_scene_block_class(scene, body));
 }
 
 gboolean start_is_long(const TinkerScene *scene, TinkerBlockId body)

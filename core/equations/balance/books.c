@@ -207,8 +207,7 @@ static void add_bodies(TinkerBookKeeper *keeper, const TinkerFrame *frame, const
 {
     for (; *bodies >= 0; bodies++) {
         const int32_t block = *bodies;
-        const TinkerPhysics *physics = tinker_scene_block_class(keeper->scene, block)->physics;
-        const gboolean turns = physics->body != NULL && physics->body->degrees_of_freedom == 3;
+        const gboolean turns = tinker_block_class_turns(tinker_scene_block_class(keeper->scene, block));
         const TinkerBookBody body = {.block = block,
                                      .mass = tinker_frame_meaning(frame, block, TINKER_MEANING_MASS, 0, 0),
                                      .inertia =

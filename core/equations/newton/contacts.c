@@ -29,10 +29,8 @@ static void add_unlike(TinkerEquationWriter *writer, const TinkerActingForce *ac
 /* Whether a force is one of a support's top; then its normal. */
 static gboolean is_of_top(const TinkerEquationWriter *writer, const TinkerActingForce *acting, double n[2])
 {
-    const TinkerBlockClass *by = tinker_scene_block_class(writer->scene, acting->by);
     double angle, place[2];
-    if (by == NULL || by->physics == NULL || by->physics->body == NULL || by->physics->body->degrees_of_freedom != 0)
-        return FALSE;
+    if (!tinker_block_class_stands(tinker_scene_block_class(writer->scene, acting->by))) return FALSE;
     tinker_frame_centre(writer->frame, acting->by, &place[0], &place[1], &angle);
     const double top = 0.5 * tinker_frame_meaning(writer->frame, acting->by, TINKER_MEANING_HEIGHT, 0, 0);
     n[0] = -sin(angle);

@@ -11,8 +11,7 @@ static int quantities_of(const TinkerScene *scene, TinkerBlockId block, int32_t 
 {
     static const char *const ids[QUANTITIES] = {"ax", "ay", "angle", "angular velocity", "angular acceleration"};
     const TinkerBlockClass *block_class = tinker_scene_block_class(scene, block);
-    const TinkerPhysics *physics = block_class != NULL ? block_class->physics : NULL;
-    if (physics == NULL || physics->body == NULL || physics->body->degrees_of_freedom == 0) return 0;
+    if (!tinker_block_class_moves(block_class)) return 0;
     int count = 0;
     while (count < QUANTITIES && (quantities[count] = tinker_block_class_quantity(block_class, ids[count])) >= 0)
         count++;

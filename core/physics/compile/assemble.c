@@ -21,8 +21,7 @@ static const TinkerPhysics *physics_of(TinkerScene *scene, TinkerBlockId block)
 
 static gboolean is_body(TinkerScene *scene, TinkerBlockId block)
 {
-    const TinkerPhysics *physics = physics_of(scene, block);
-    return physics != NULL && physics->body != NULL && physics->body->degrees_of_freedom > 0;
+    return tinker_block_class_moves(tinker_scene_block_class(scene, block));
 }
 
 /* Whether a block keeps its ends where they are to each other, whatever a hand does. */

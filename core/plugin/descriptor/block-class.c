@@ -181,10 +181,40 @@ int32_t tinker_block_class_meaning_column(const TinkerBlockClass *block_class, i
     return property < 0 ? -1 : block_class->first_columns[property];
 }
 
+static const TinkerBody *body_of(const TinkerBlockClass *block_class)
+{
+    return block_class != NULL && block_class->physics != NULL ? block_class->physics->body : NULL;
+}
+
+gboolean tinker_block_class_moves(const TinkerBlockClass *block_class)
+{
+    const TinkerBody *body = body_of(block_class);
+    return body != NULL && body->degrees_of_freedom > 0;
+}
+
+gboolean tinker_block_class_turns(const TinkerBlockClass *block_class)
+{
+    const TinkerBody *body = body_of(block_class);
+    return body != NULL && body->degrees_of_freedom == 3;
+}
+
+gboolean tinker_block_class_stands(const TinkerBlockClass *block_class)
+{
+    const TinkerBody *body = body_of(block_class);
+    return body != NULL && body->degrees_of_freedom == 0;
+}
+
+gboolean tinker_block_class_accepts(const TinkerBlockClass *block_class, const TinkerBlockClass *target)
+{
+    const uint32_t needed = tinker_block_class_moves(target)    ? TINKER_ACCEPTS_BODY
+                            : tinker_block_class_stands(target) ? TINKER_ACCEPTS_SUPPORT
+                                                                : 0;
+    return (block_class->type->end_accepts & needed) != 0;
+}
+
 gboolean tinker_block_class_has_angle(const TinkerBlockClass *block_class)
 {
-    const TinkerPhysics *physics = block_class != NULL ? block_class->physics : NULL;
-    return physics != NULL && physics->body != NULL && physics->body->degrees_of_freedom != 2;
+    return tinker_block_class_turns(block_class) || tinker_block_class_stands(block_class);
 }
 
 gboolean tinker_block_class_speaks_of_angles(const TinkerBlockClass *block_class)

@@ -42,6 +42,15 @@ int32_t tinker_kind_columns(int32_t kind);
 /* First column of the property that carries this meaning, or -1. */
 int32_t tinker_block_class_meaning_column(const TinkerBlockClass *block_class, int32_t meaning);
 
+/* Whether its blocks are bodies that move by themselves, that turn as well, that do not move by themselves, as
+ * supports. `block_class` may be NULL, of a type that nobody knows: it is none of these. */
+gboolean tinker_block_class_moves(const TinkerBlockClass *block_class);
+gboolean tinker_block_class_turns(const TinkerBlockClass *block_class);
+gboolean tinker_block_class_stands(const TinkerBlockClass *block_class);
+
+/* Whether ends of its blocks may be on those of a class, which may be NULL. */
+gboolean tinker_block_class_accepts(const TinkerBlockClass *block_class, const TinkerBlockClass *target);
+
 /* Whether its blocks are bodies that have an angle: those that turn, and those that do not move by themselves. */
 gboolean tinker_block_class_has_angle(const TinkerBlockClass *block_class);
 

@@ -70,9 +70,7 @@ static void locate(TinkerFrame *frame)
 
 static gboolean stands(const TinkerFrame *frame, TinkerBlockId block)
 {
-    const TinkerBlockClass *block_class = tinker_scene_block_class(frame->scene, block);
-    return block_class != NULL && block_class->physics != NULL && block_class->physics->body != NULL &&
-           block_class->physics->body->degrees_of_freedom == 0;
+    return tinker_block_class_stands(tinker_scene_block_class(frame->scene, block));
 }
 
 static void end_place(const TinkerFrame *frame, const TinkerSceneEnd *end, TinkerEnd *out)

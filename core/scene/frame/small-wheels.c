@@ -15,19 +15,13 @@ static gboolean goes_over(TinkerScene *scene, TinkerBlockId block)
            block_class->physics->constraint->unilateral != 0;
 }
 
-static gboolean turns(const TinkerBlockClass *block_class)
-{
-    return block_class != NULL && block_class->physics != NULL && block_class->physics->body != NULL &&
-           block_class->physics->body->degrees_of_freedom == 3;
-}
-
 static void add_wheels(GArray *wheels, TinkerScene *scene, TinkerBlockId block)
 {
     const int32_t last = goes_over(scene, block) ? tinker_scene_end_count(scene, block) - 1 : 0;
     for (int32_t k = 1; k < last; k++) {
         const TinkerSceneEnd end = tinker_scene_end(scene, block, k);
         const TinkerBlockClass *on = end.block != TINKER_NO_BLOCK ? tinker_scene_block_class(scene, end.block) : NULL;
-        if (!turns(on) || !(hypot(end.x, end.y) <= CENTRE)) continue;
+        if (!tinker_block_class_turns(on) || !(hypot(end.x, end.y) <= CENTRE)) continue;
         const TinkerSmallWheel wheel = {block, end.block, on->meanings[TINKER_MEANING_RADIUS] >= 0};
         g_array_append_val(wheels, wheel);
     }

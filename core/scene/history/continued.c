@@ -15,12 +15,6 @@ typedef struct {
     const double *velocities; /* vx, vy and the rate by block id */
 } Continuation;
 
-static gboolean can_move(const TinkerBlockClass *block_class)
-{
-    return block_class->physics != NULL && block_class->physics->body != NULL &&
-           block_class->physics->body->degrees_of_freedom > 0;
-}
-
 static void values_of(const Continuation *continuation, TinkerBlockId block, int32_t property, double values[2])
 {
     const TinkerBlockClass *block_class = tinker_scene_block_class(continuation->scene, block);
@@ -137,7 +131,7 @@ static gboolean continue_block(Continuation *continuation, TinkerBlockId block, 
     if (!shift_instant(continuation, block, error)) return FALSE;
     const TinkerScene *ran = tinker_frame_scene(continuation->now);
     if (!tinker_scene_has_block(ran, block) || tinker_scene_block_class(ran, block) != block_class) return TRUE;
-    if (can_move(block_class) && !continue_body(continuation, block, error)) return FALSE;
+    if (tinker_block_class_moves(block_class) && !continue_body(continuation, block, error)) return FALSE;
     return set_wound_length(continuation, block, error) && fix_placed_lengths(continuation, block, error);
 }
 

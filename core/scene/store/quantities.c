@@ -69,8 +69,7 @@ static gboolean has_centre(const TinkerBlockClass *block_class)
 
 static gboolean is_implied(const TinkerBlockClass *block_class, int32_t number)
 {
-    if (number == TINKER_IMPLIED_PATH_LENGTH)
-        return has_centre(block_class) && block_class->physics->body->degrees_of_freedom > 0;
+    if (number == TINKER_IMPLIED_PATH_LENGTH) return tinker_block_class_moves(block_class);
     return has_two_ends(block_class);
 }
 

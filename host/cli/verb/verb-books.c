@@ -87,9 +87,7 @@ static gboolean read_about(const char *text, double about[2], GError **error)
 
 static gboolean is_body(TinkerScene *scene, TinkerBlockId block)
 {
-    const TinkerBlockClass *block_class = tinker_scene_block_class(scene, block);
-    const TinkerPhysics *physics = block_class != NULL ? block_class->physics : NULL;
-    return physics != NULL && physics->body != NULL && physics->body->degrees_of_freedom > 0;
+    return tinker_block_class_moves(tinker_scene_block_class(scene, block));
 }
 
 /* The bodies that were named, or all. (transfer full) */

@@ -18,9 +18,7 @@ const TinkerVectorLook *tinker_vector_look(TinkerVectorKind kind)
 
 gboolean tinker_block_moves(TinkerScene *scene, TinkerBlockId block)
 {
-    const TinkerBlockClass *block_class = tinker_scene_block_class(scene, block);
-    return block_class != NULL && block_class->physics != NULL && block_class->physics->body != NULL &&
-           block_class->physics->body->degrees_of_freedom > 0;
+    return tinker_block_class_moves(tinker_scene_block_class(scene, block));
 }
 
 gboolean tinker_vector_choice_any(const TinkerVectorChoice *choice)

@@ -11,9 +11,7 @@
 
 static gboolean can_move(const TinkerScene *scene, TinkerBlockId block)
 {
-    const TinkerBlockClass *block_class = tinker_scene_block_class(scene, block);
-    return block_class != NULL && block_class->physics != NULL && block_class->physics->body != NULL &&
-           block_class->physics->body->degrees_of_freedom > 0;
+    return tinker_block_class_moves(tinker_scene_block_class(scene, block));
 }
 
 /* Where a body is on the canvas; FALSE where it is nowhere. */

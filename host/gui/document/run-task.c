@@ -69,8 +69,7 @@ static void list_blocks(TinkerRunTask *task, const TinkerScene *scene)
         const TinkerBlockClass *block_class = tinker_scene_block_class(scene, block);
         if (block_class == NULL || block_class->physics == NULL) continue;
         if (tinker_block_class_is_wound(block_class)) g_array_append_val(task->wound, block);
-        if (block_class->physics->body == NULL) continue;
-        if (block_class->physics->body->degrees_of_freedom > 0) g_array_append_val(task->bodies, block);
+        if (tinker_block_class_moves(block_class)) g_array_append_val(task->bodies, block);
     }
 }
 

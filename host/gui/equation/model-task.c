@@ -178,9 +178,7 @@ static TinkerBlockId *selected_bodies(TinkerDocument *document)
     int count;
     const TinkerBlockId *selection = tinker_document_selection(document, &count);
     for (int i = 0; i < count; i++) {
-        const TinkerBlockClass *block_class = tinker_scene_block_class(scene, selection[i]);
-        const TinkerPhysics *physics = block_class != NULL ? block_class->physics : NULL;
-        if (physics != NULL && physics->body != NULL && physics->body->degrees_of_freedom > 0)
+        if (tinker_block_class_moves(tinker_scene_block_class(scene, selection[i])))
             g_array_append_val(bodies, selection[i]);
     }
     g_array_append_val(bodies, none);

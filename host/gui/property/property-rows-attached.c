@@ -5,13 +5,6 @@
 #include "gui/property/property-rows.h"
 #include "gui/text/translate.h"
 
-static gboolean accepts(const TinkerBlockClass *block_class, const TinkerBlockClass *target)
-{
-    if (target->physics == NULL || target->physics->body == NULL) return FALSE;
-    gboolean moves = target->physics->body->degrees_of_freedom > 0;
-    return (block_class->type->end_accepts & (moves ? TINKER_ACCEPTS_BODY : TINKER_ACCEPTS_SUPPORT)) != 0;
-}
-
 /* Adds the rows of one block that it shows where its end `end` is. A second one of a group has its name in the title.
  */
 static void add_rows_of(PropertyBuilder *builder, TinkerBlockId block, int32_t end, GHashTable *groups)
@@ -67,7 +60,7 @@ static void add_all_missing(PropertyBuilder *builder, GHashTable *present)
         if (block_class == NULL || !tinker_block_class_is_shown_elsewhere(block_class) ||
             g_hash_table_contains(present, block_class))
             continue;
-        if (accepts(block_class, builder->block_class)) add_missing(builder, block_class);
+        if (tinker_block_class_accepts(block_class, builder->block_class)) add_missing(builder, block_class);
     }
 }
 

@@ -93,8 +93,7 @@ static gboolean set_place(TinkerDocument *document, const TinkerPropertyRow *row
 static gboolean has_places(TinkerScene *scene, TinkerBlockId on)
 {
     const TinkerBlockClass *block_class = on != TINKER_NO_BLOCK ? tinker_scene_block_class(scene, on) : NULL;
-    return block_class != NULL && block_class->physics != NULL && block_class->physics->body != NULL &&
-           block_class->physics->body->degrees_of_freedom != 2;
+    return tinker_block_class_has_angle(block_class);
 }
 
 static void add_place(PropertyBuilder *builder, int32_t number, const char *title)

@@ -83,8 +83,7 @@ static void tell(TinkerWindow *window, const Meeting *meeting)
 static TinkerBlockId passed_top(TinkerScene *scene, TinkerBlockId body)
 {
     const TinkerBlockClass *block_class = tinker_scene_block_class(scene, body);
-    if (block_class == NULL || block_class->physics == NULL || block_class->physics->body == NULL ||
-        block_class->physics->body->degrees_of_freedom != 3 || block_class->meanings[TINKER_MEANING_SOLID] < 0)
+    if (!tinker_block_class_turns(block_class) || block_class->meanings[TINKER_MEANING_SOLID] < 0)
         return TINKER_NO_BLOCK;
     g_autoptr(TinkerFrame) frame = tinker_frame_new(scene, NULL);
     if (frame == NULL || tinker_frame_meaning(frame, body, TINKER_MEANING_SOLID, 0, 1) != 0) return TINKER_NO_BLOCK;
