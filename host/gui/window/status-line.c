@@ -80,8 +80,8 @@ static void tinker_status_line_init(TinkerStatusLine *line)
 {
     GtkWidget *row = gtk_box_new(GTK_ORIENTATION_HORIZONTAL, 24);
     for (int part = 0; part < TINKER_STATUS_COUNT; part++) {
-        if (part == TINKER_STATUS_EVENT) { /* from here on at the other end */
-            GtkWidget *gap = gtk_box_new(GTK_ORIENTATION_HORIZONTAL, 0);
+        if (part == TINKER_STATUS_EVENT) { /* from here on at the other end; as high as a label before there is any */
+            GtkWidget *gap = gtk_label_new(NULL);
             gtk_widget_set_hexpand(gap, TRUE);
             gtk_box_append(GTK_BOX(row), gap);
         }
