@@ -517,7 +517,7 @@ gboolean tinker_frame_note_spans(TinkerFrame *frame)
         if (location->batch->end_offsets[location->row + 1] < first + 2) continue;
         end_place(frame, &location->batch->end[first], &a);
         end_place(frame, &location->batch->end[first + 1], &b);
-        grew |= tinker_spans_note(frame->spans, i, hypot(b.x - a.x, b.y - a.y));
+        grew |= tinker_spans_note(frame->spans, blocks[i], hypot(b.x - a.x, b.y - a.y));
     }
     return grew;
 }

@@ -1,5 +1,6 @@
 /* Places are kept block by block, with one list of times for all. */
 #include "scene/frame/paths.h"
+#include "scene/frame/flagged.h"
 
 #include <math.h>
 
@@ -11,16 +12,10 @@ struct _TinkerPaths {
 
 TinkerPaths *tinker_paths_new(TinkerScene *scene)
 {
-    g_autoptr(GArray) blocks = g_array_new(FALSE, FALSE, sizeof(TinkerBlockId));
-    for (int32_t place = 0; place < tinker_scene_block_count(scene); place++) {
-        const TinkerBlockId block = tinker_scene_block_at(scene, place);
-        const TinkerBlockClass *block_class = tinker_scene_block_class(scene, block);
-        if (block_class != NULL && (block_class->type->flags & TINKER_LEAVES_PATH) != 0)
-            g_array_append_val(blocks, block);
-    }
-    if (blocks->len == 0) return NULL;
+    GArray *blocks = tinker_scene_flagged(scene, TINKER_LEAVES_PATH);
+    if (blocks == NULL) return NULL;
     TinkerPaths *paths = g_new0(TinkerPaths, 1);
-    paths->blocks = g_steal_pointer(&blocks);
+    paths->blocks = blocks;
     paths->times = g_array_new(FALSE, FALSE, sizeof(double));
     paths->places = g_ptr_array_new_with_free_func((GDestroyNotify)g_array_unref);
     for (guint i = 0; i < paths->blocks->len; i++)

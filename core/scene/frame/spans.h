@@ -16,9 +16,9 @@ void tinker_spans_forget(TinkerSpans *spans);
 /* The blocks, in the order of the scene. Borrowed. */
 const TinkerBlockId *tinker_spans_blocks(const TinkerSpans *spans, int32_t *count);
 
-/* The ends of the block of this number are so far apart (m): TRUE where that is more than all noted before; of a block,
- * the most noted: 0 where it has no span. */
-gboolean tinker_spans_note(TinkerSpans *spans, int32_t number, double distance);
+/* The ends of one of the blocks are so far apart (m): TRUE where that is more than all noted before; of any block the
+ * most noted: 0 where it has no span. */
+gboolean tinker_spans_note(TinkerSpans *spans, TinkerBlockId block, double distance);
 double tinker_spans_of(const TinkerSpans *spans, TinkerBlockId block);
 
 #endif
