@@ -236,10 +236,9 @@ TinkerStatus tinker_island_run_unprojected_at(TinkerIslandRun *run, double t, do
     return status;
 }
 
-TinkerStatus tinker_island_run_state_at(TinkerIslandRun *run, double t, double *q, double *v)
+TinkerStatus tinker_island_run_meet(TinkerIslandRun *run, double t, double *q, double *v)
 {
-    TinkerStatus status = tinker_island_run_unprojected_at(run, t, q, v);
-    if (status != TINKER_OK || t == run->state.t) return status;
+    TinkerStatus status;
     gboolean moved;
     if (tinker_contacts_act(run->model->contacts)) {
         double work;
@@ -252,4 +251,10 @@ TinkerStatus tinker_island_run_state_at(TinkerIslandRun *run, double t, double *
     status = tinker_constraints_project_positions(run->model, t, q, v, &moved);
     if (status == TINKER_OK) tinker_constraints_correct_velocities(run->model, v, FALSE, &moved);
     return status;
+}
+
+TinkerStatus tinker_island_run_state_at(TinkerIslandRun *run, double t, double *q, double *v)
+{
+    TinkerStatus status = tinker_island_run_unprojected_at(run, t, q, v);
+    return status == TINKER_OK && t != run->state.t ? tinker_island_run_meet(run, t, q, v) : status;
 }

@@ -90,6 +90,10 @@ void tinker_island_run_leave_plane(TinkerIslandRun *run);
  * evaluates is not counted: how often a run is looked at would show. */
 TinkerStatus tinker_island_run_interpolate(TinkerIslandRun *run, double t, double *x, double *u, double *books);
 
+/* Brings a state of the model's bodies at time t onto contacts that are closed and onto the constraints, unless the
+ * coordinates of the system, as those along a line, meet them as they are. */
+TinkerStatus tinker_island_run_meet(TinkerIslandRun *run, double t, double *q, double *v);
+
 /* The state of the model's bodies (relative to its origin) at time t, within the last step, on the constraints. */
 TinkerStatus tinker_island_run_state_at(TinkerIslandRun *run, double t, double *q, double *v);
 

@@ -1,8 +1,6 @@
 /* How a companion is stepped, and what its distance tells of the error. */
 #include "physics/run/companion.h"
 #include "numerics/solve/largest.h"
-#include "physics/constraint/constraints.h"
-#include "physics/contact/contacts.h"
 #include "physics/island/island-run.h"
 #include "physics/line/linear-form.h"
 #include "physics/model/model-data.h"
@@ -71,23 +69,6 @@ static TinkerChoice choice_of(const TinkerIslandRun *run)
     return choice;
 }
 
-/* Off what holds the bodies rounding would be met at once by what closes there, as a rope that is just taut. */
-static void bring_back(TinkerIslandRun *run)
-{
-    TinkerModel *model = run->model;
-    gboolean moved;
-    double work;
-    if (run->q != run->state.q) return; /* nothing holds what moves along a line */
-    if (tinker_contacts_act(model->contacts)) {
-        if (tinker_contacts_project_positions(model->contacts, run->state.t, run->q, run->v, &moved, &work) ==
-            TINKER_OK)
-            (void)tinker_contacts_correct_velocities(model->contacts, run->v, FALSE, &moved);
-    } else if (model->constraints.rows > 0) {
-        if (tinker_constraints_project_positions(model, run->state.t, run->q, run->v, &moved) == TINKER_OK)
-            (void)tinker_constraints_correct_velocities(model, run->v, FALSE, &moved);
-    }
-}
-
 /* Turns by turns, so that bodies do not move as one. */
 static void put_off(TinkerIslandRun *run)
 {
@@ -102,7 +83,8 @@ static void put_off(TinkerIslandRun *run)
         run->state.q[i] += turn * extent;
         run->state.v[i] += turn * speed;
     }
-    bring_back(run);
+    /* off what holds the bodies rounding would be met at once by what closes there, as a rope that is just taut */
+    (void)tinker_island_run_meet(run, run->state.t, run->q, run->v);
     tinker_method_restart(run->choice.method, run->stepper);
 }
 
