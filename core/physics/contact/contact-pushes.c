@@ -142,33 +142,8 @@ int32_t tinker_contacts_row_body(const TinkerContacts *contacts, int32_t row)
     return -1;
 }
 
-/* What a multiplier of 1 does along its own row, were there no other. */
-static double row_alone(const TinkerModel *model, int32_t row)
-{
-    const TinkerConstraints *all = &model->constraints;
-    double sum = 0;
-    for (int32_t e = all->row_starts[row]; e < all->row_starts[row + 1]; e++) {
-        const double *of = &all->own_jacobian[2 * e];
-        if (all->points[e] < model->bodies)
-            sum += (of[0] * of[0] + of[1] * of[1]) * model->inverse_mass[all->points[e]];
-    }
-    for (int32_t k = tinker_row_turns(all, row); k < tinker_row_turns(all, row + 1); k++) {
-        const double of = all->own_jacobian[2 * all->entries + k];
-        sum += of * of * model->inverse_mass[all->points[all->turns[k].entry]];
-    }
-    return sum;
-}
-
-gboolean tinker_contacts_row_is_held(TinkerContacts *contacts, int32_t row)
-{
-    const TinkerModel *model = contacts->model;
-    double *moves = contacts->column;
-    memset(moves, 0, (gsize)model->coordinates * sizeof(double));
-    tinker_contacts_pull(contacts, row, 1, moves);
-    return fabs(tinker_constraints_own_row_times(model, row, moves)) <= TINKER_ROW_HELD * row_alone(model, row);
-}
-
-void tinker_contacts_pull(TinkerContacts *contacts, int32_t row, double lambda, double *v)
+/* v += what the multiplier of a row does to its own bodies; other constraints have not answered yet. */
+static void pull_own(TinkerContacts *contacts, int32_t row, double lambda, double *v)
 {
     TinkerModel *model = contacts->model;
     TinkerConstraints *all = &model->constraints;
@@ -188,5 +163,21 @@ void tinker_contacts_pull(TinkerContacts *contacts, int32_t row, double lambda, 
         all->by_point[of->coordinate] += change;
         v[of->coordinate] += change;
     }
+}
+
+void tinker_contacts_pull(TinkerContacts *contacts, int32_t row, double lambda, double *v)
+{
+    pull_own(contacts, row, lambda, v);
     tinker_constraints_answer(contacts->model, v);
+}
+
+gboolean tinker_contacts_row_is_held(TinkerContacts *contacts, int32_t row)
+{
+    TinkerModel *model = contacts->model;
+    double *moves = contacts->column;
+    memset(moves, 0, (gsize)model->coordinates * sizeof(double));
+    pull_own(contacts, row, 1, moves);
+    const double alone = fabs(tinker_constraints_own_row_times(model, row, moves));
+    tinker_constraints_answer(model, moves);
+    return fabs(tinker_constraints_own_row_times(model, row, moves)) <= TINKER_ROW_HELD * alone;
 }
