@@ -163,20 +163,36 @@ static gboolean is_same(const TinkerTrigger *a, const TinkerTrigger *b)
     return a->kind == b->kind && a->body == b->body && a->plate == b->plate && a->row == b->row;
 }
 
+/* Whether a body is behind a top or in another body by more than rounding; beside a top it is not. */
+static gboolean is_behind(const TinkerContactRun *self, const TinkerTrigger *gap, double closed)
+{
+    if (!(tinker_trigger_value(self, gap) < -closed)) return FALSE;
+    const TinkerContactPlace place = tinker_contact_place(self->contacts, gap->body, gap->plate);
+    return tinker_contact_is_over(self->contacts, gap->plate, &place, tinker_trigger_place_rounding(self, gap));
+}
+
+/* Whether a gap was not closed where the step began. */
+static TinkerStatus was_open(TinkerContactRun *self, const TinkerTrigger *gap, double closed, gboolean *open)
+{
+    const gboolean shapes = self->contacts->plates[gap->plate].gap != NULL;
+    double *v;
+    TinkerStatus status = tinker_contact_run_place_at(self, self->from.t, &v);
+    *open = tinker_trigger_value(self, gap) >= -(shapes ? TINKER_TOUCHING : closed);
+    return status == TINKER_OK ? tinker_contact_run_place_at(self, self->run->state.t, &v) : status;
+}
+
 /* Whether another gap than the event's has closed before it: dense output of a long step may put events in another
  * order than the step that ends at one of them. */
 static TinkerStatus has_passed_another(TinkerContactRun *self, const TinkerTrigger *trigger, gboolean *passed)
 {
-    TinkerIslandRun *run = self->run;
     const double closed = tinker_contact_run_closed_gap(self);
+    double *v;
     *passed = FALSE;
-    tinker_island_run_place(run);
-    TinkerStatus status = tinker_model_set_time(self->model, run->state.t);
-    if (status == TINKER_OK) tinker_model_set_state(self->model, run->q, run->v);
+    TinkerStatus status = tinker_contact_run_place_at(self, self->run->state.t, &v);
     for (guint i = 0; status == TINKER_OK && i < self->triggers->len && !*passed; i++) {
         const TinkerTrigger *other = &g_array_index(self->triggers, TinkerTrigger, i);
         if (other->kind != TINKER_TRIGGER_GAP || other->row >= 0 || is_same(other, trigger)) continue;
-        *passed = tinker_trigger_value(self, other) < -closed;
+        if (is_behind(self, other, closed)) status = was_open(self, other, closed, passed);
     }
     return status;
 }

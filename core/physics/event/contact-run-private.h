@@ -147,6 +147,10 @@ void tinker_contact_run_note_quiet(TinkerContactRun *contact_run, const double *
 
 /* The bodies at time t within the last step; borrowed until the next call. */
 TinkerStatus tinker_contact_run_state_at(TinkerContactRun *contact_run, double t, double **q, double **v);
+
+/* Brings the points to a time within the last step; *v gets the velocities of the bodies then, borrowed until the next
+ * call. No force is worked out. */
+TinkerStatus tinker_contact_run_place_at(TinkerContactRun *contact_run, double t, double **v);
 /* Brings the model to a state, and works out what triggers ask for: forces of closed contacts, accelerations; and the
  * powers of the books, unless that is NULL. */
 TinkerStatus tinker_contact_run_look_at(TinkerContactRun *contact_run, double t, const double *q, const double *v,

@@ -35,24 +35,13 @@ static gboolean is_of_place(const TinkerTrigger *trigger)
     }
 }
 
-/* Brings the points to a time within the last step; *v gets the velocities of the bodies then. No force is worked out.
- */
-static TinkerStatus place_at_time(TinkerContactRun *self, double t, double **v)
-{
-    double *q;
-    TinkerStatus status = tinker_contact_run_state_at(self, t, &q, v);
-    if (status == TINKER_OK) status = tinker_model_set_time(self->model, t);
-    if (status == TINKER_OK) tinker_model_set_state(self->model, q, *v);
-    return status;
-}
-
 /* Brings the model to a time within the last step; *v gets the velocities of the bodies then. Where the forces of
  * contacts that were worked out last are those of that time they stand: every contact that has just begun to slip asks
  * for the step's start. */
 static TinkerStatus look_at_time(TinkerContactRun *self, double t, double **v)
 {
     double *q;
-    if (tinker_contact_run_has_looked(self, t)) return place_at_time(self, t, v);
+    if (tinker_contact_run_has_looked(self, t)) return tinker_contact_run_place_at(self, t, v);
     TinkerStatus status = tinker_contact_run_state_at(self, t, &q, v);
     return status == TINKER_OK ? tinker_contact_run_look_at(self, t, q, *v, NULL) : status;
 }
@@ -60,13 +49,14 @@ static TinkerStatus look_at_time(TinkerContactRun *self, double t, double **v)
 /* As look_at_time, for what triggers alone ask for: that may be kept of the step's start. */
 static TinkerStatus ask_at_time(TinkerContactRun *self, double t, double **v)
 {
-    return tinker_contact_run_recall_start(self, t) ? place_at_time(self, t, v) : look_at_time(self, t, v);
+    return tinker_contact_run_recall_start(self, t) ? tinker_contact_run_place_at(self, t, v)
+                                                    : look_at_time(self, t, v);
 }
 
 static TinkerStatus value_at(TinkerContactRun *self, double t, const TinkerTrigger *trigger, double *value)
 {
     double *v;
-    TinkerStatus status = is_of_place(trigger) ? place_at_time(self, t, &v) : ask_at_time(self, t, &v);
+    TinkerStatus status = is_of_place(trigger) ? tinker_contact_run_place_at(self, t, &v) : ask_at_time(self, t, &v);
     if (status == TINKER_OK) *value = tinker_trigger_value(self, trigger);
     return status;
 }
@@ -409,7 +399,7 @@ static TinkerStatus fill_node(TinkerContactRun *self, double from, double to, in
     const guint count = (guint)self->degree + 1, some = which != NULL ? which->len : self->triggers->len;
     const double t = node == 0 ? from : node == self->degree ? to : from + self->nodes[node] * (to - from);
     double *v;
-    TinkerStatus status = place_at_time(self, t, &v);
+    TinkerStatus status = tinker_contact_run_place_at(self, t, &v);
     if (status != TINKER_OK) return status;
     for (guint i = 0; i < some; i++) {
         const guint number = which != NULL ? g_array_index(which, guint, i) : i;
@@ -450,7 +440,7 @@ static TinkerStatus fill_places(TinkerContactRun *self, double from, double to)
         if (status != TINKER_OK) return status;
     }
     double *v; /* levels are those of the step's end */
-    TinkerStatus status = self->falling->len > 0 ? place_at_time(self, to, &v) : TINKER_OK;
+    TinkerStatus status = self->falling->len > 0 ? tinker_contact_run_place_at(self, to, &v) : TINKER_OK;
     for (guint i = 0; i < self->falling->len; i++) {
         TinkerTrigger *trigger = &g_array_index(self->triggers, TinkerTrigger, g_array_index(self->falling, guint, i));
         trigger->level = tinker_trigger_level(self, trigger, speed);

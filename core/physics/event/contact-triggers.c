@@ -37,6 +37,15 @@ TinkerStatus tinker_contact_run_state_at(TinkerContactRun *self, double t, doubl
     return status;
 }
 
+TinkerStatus tinker_contact_run_place_at(TinkerContactRun *self, double t, double **v)
+{
+    double *q;
+    TinkerStatus status = tinker_contact_run_state_at(self, t, &q, v);
+    if (status == TINKER_OK) status = tinker_model_set_time(self->model, t);
+    if (status == TINKER_OK) tinker_model_set_state(self->model, q, *v);
+    return status;
+}
+
 /* Brings the model to a state, and works out the forces of its closed contacts. */
 TinkerStatus tinker_contact_run_look_at(TinkerContactRun *self, double t, const double *q, const double *v,
                                         double *power)
@@ -287,12 +296,18 @@ static double acceleration_scale(const TinkerContactRun *self, const TinkerTrigg
            (fabs(self->model->force[k]) + fabs(self->model->force[k + 1])) * self->model->inverse_mass[trigger->body];
 }
 
-/* What dense output makes of an acceleration that is 0, as a share of what acts. One that a redundant contact leaves at
- * 0 for good, whatever its force, is held to that too, once the contact opens and closes again and again. */
+/* What dense output makes of a force that is 0, as a share of what acts. One that a redundant contact leaves at 0 for
+ * good, and what friction may be more there, is held to that once the contact opens and closes again and again. */
+static double force_noise(const TinkerContactRun *self)
+{
+    return tinker_contact_run_repeats(self) ? fmax(TINKER_FORCE_ROUNDING, self->run->choice.tolerance)
+                                            : TINKER_FORCE_ROUNDING;
+}
+
+/* The same of an acceleration. */
 static double acceleration_noise(const TinkerContactRun *self)
 {
-    if (!self->remembers && !tinker_contact_run_repeats(self)) return TINKER_FORCE_ROUNDING;
-    return fmax(TINKER_FORCE_ROUNDING, self->run->choice.tolerance);
+    return self->remembers ? fmax(TINKER_FORCE_ROUNDING, self->run->choice.tolerance) : force_noise(self);
 }
 
 double tinker_trigger_level(const TinkerContactRun *self, const TinkerTrigger *trigger, double speed)
@@ -310,6 +325,6 @@ double tinker_trigger_level(const TinkerContactRun *self, const TinkerTrigger *t
     default:
         if (trigger->row >= 0)
             return -TINKER_FORCE_ROUNDING * self->model->mass[trigger->body] * acceleration_scale(self, trigger);
-        return -TINKER_FORCE_ROUNDING * self->force_scale[trigger->closed];
+        return -force_noise(self) * self->force_scale[trigger->closed];
     }
 }
