@@ -17,7 +17,8 @@ static void put_letters(GString *text, const TinkerSymbolLook *look, gsize lengt
         put_text(text, "mi", letters);
         return;
     }
-    g_string_append(text, "<mover accent=\"true\">");
+    /* no accent="true": browsers draw the dots of one into the letter */
+    g_string_append(text, "<mover>");
     put_text(text, "mi", letters);
     g_string_append_printf(text, "<mo>%s</mo></mover>", look->dots == 2 ? "¨" : "˙");
 }
@@ -68,13 +69,16 @@ static void put_comparison(GString *text, const char *sign)
 }
 
 const TinkerTypesetStyle tinker_mathml_style = {
-    .open = "<mo>(</mo>",
-    .close = "<mo>)</mo>",
+    /* what may stretch is drawn from a larger size in most fonts, with space around it */
+    .open = "<mo stretchy=\"false\">(</mo>",
+    .close = "<mo stretchy=\"false\">)</mo>",
+    .high = {"<mo>(</mo>", "<mo>)</mo>"},
     .plus = "<mo>+</mo>",
     .minus = "<mo>−</mo>",
     .sign = "<mo>−</mo>",
     .times = "<mo>&#x2062;</mo>",
     .times_number = "<mo>·</mo>",
+    .times_function = "<mo lspace=\"0.17em\" rspace=\"0\">&#x2062;</mo>",
     .comma = "<mo>,</mo>",
     .stacked = TRUE,
     .group = {"<mrow>", "</mrow>"},

@@ -16,17 +16,19 @@ typedef enum {
 
 /* What differs between formats. Each part writes itself into the text. */
 typedef struct {
-    const char *open, *close; /* brackets */
-    const char *plus, *minus; /* between terms */
-    const char *sign;         /* before one */
-    const char *times;        /* between factors, */
-    const char *times_number; /* and before one that begins with a digit */
-    const char *comma;        /* between arguments */
-    gboolean stacked;         /* fractions and roots are drawn, and need no brackets */
-    const char *group[2];     /* around what is one thing to the format */
-    const char *fraction[3];  /* before, between, behind; of a stacked one */
-    const char *power[3];     /* likewise */
-    const char *raised[10];   /* powers of 0 to 9 that are written behind what they are of; NULL: this one is not */
+    const char *open, *close;   /* brackets, */
+    const char *high[2];        /* and around what is higher than a line; NULL: the same */
+    const char *plus, *minus;   /* between terms */
+    const char *sign;           /* before one */
+    const char *times;          /* between factors, */
+    const char *times_number;   /* and before one that begins with a digit, */
+    const char *times_function; /* or with a function's name; NULL: as the first */
+    const char *comma;          /* between arguments */
+    gboolean stacked;           /* fractions and roots are drawn, and need no brackets */
+    const char *group[2];       /* around what is one thing to the format */
+    const char *fraction[3];    /* before, between, behind; of a stacked one */
+    const char *power[3];       /* likewise */
+    const char *raised[10];     /* powers of 0 to 9 that are written behind what they are of; NULL: this one is not */
     const char *root[2], *absolute[2];
     const char *cases[4]; /* before; between value and condition; behind it; behind all */
     const char *otherwise;

@@ -41,6 +41,26 @@ static void put(const Typesetter *to, const char *text)
     g_string_append(to->text, text);
 }
 
+/* Whether it is higher than a line: a fraction, or cases, are in it. */
+static gboolean is_high(const TinkerExpression *node)
+{
+    const gboolean cases = node->kind == TINKER_EXPRESSION_FUNCTION && strcmp(node->name, "if") == 0;
+    gboolean high = node->kind == TINKER_EXPRESSION_QUOTIENT || cases;
+    for (int i = 0; !high && i < node->count; i++)
+        high = is_high(node->parts[i]);
+    return high;
+}
+
+/* A bracket around what a node is, or its parts are. */
+static void put_bracket(const Typesetter *to, const TinkerExpression *node, gboolean opens)
+{
+    const TinkerTypesetStyle *style = to->style;
+    if (style->high[0] != NULL && is_high(node))
+        put(to, style->high[opens ? 0 : 1]);
+    else
+        put(to, opens ? style->open : style->close);
+}
+
 /* One behind others. */
 static void write_term(const Typesetter *to, const TinkerExpression *part)
 {
@@ -70,10 +90,24 @@ static gboolean begins_with_digit(const TinkerExpression *node)
     return node->kind == TINKER_EXPRESSION_NUMBER && node->number != G_PI; /* which is a letter */
 }
 
+static gboolean begins_with_function(const TinkerExpression *node)
+{
+    while (node->kind == TINKER_EXPRESSION_POWER || node->kind == TINKER_EXPRESSION_PRODUCT)
+        node = node->parts[0];
+    return node->kind == TINKER_EXPRESSION_FUNCTION;
+}
+
+static const char *times_before(const Typesetter *to, const TinkerExpression *factor)
+{
+    const TinkerTypesetStyle *style = to->style;
+    if (begins_with_digit(factor)) return style->times_number;
+    return style->times_function != NULL && begins_with_function(factor) ? style->times_function : style->times;
+}
+
 static void write_product(const Typesetter *to, const TinkerExpression *node)
 {
     for (int i = 0; i < node->count; i++) {
-        if (i > 0) put(to, begins_with_digit(node->parts[i]) ? to->style->times_number : to->style->times);
+        if (i > 0) put(to, times_before(to, node->parts[i]));
         const gboolean signed_first = i == 0 && node->parts[i]->kind == TINKER_EXPRESSION_NEGATIVE;
         /* in a line of text a quotient would take what stands behind it */
         put_node(to, node->parts[i], signed_first ? TINKER_BINDS_SIGN : TINKER_BINDS_POWER);
@@ -142,12 +176,12 @@ static void write_function(const Typesetter *to, const TinkerExpression *node)
             put(to, style->root[0]);
         else
             style->function(to->text, node->name);
-        put(to, style->open);
+        put_bracket(to, node, TRUE);
         for (int i = 0; i < node->count; i++) {
             if (i > 0) put(to, style->comma);
             put_node(to, node->parts[i], TINKER_BINDS_COMPARISON);
         }
-        put(to, style->close);
+        put_bracket(to, node, FALSE);
     }
 }
 
@@ -194,9 +228,9 @@ static void put_node(const Typesetter *to, const TinkerExpression *node, TinkerB
 {
     const gboolean brackets = binding_of(node, to->style) < least;
     put(to, to->style->group[0]);
-    if (brackets) put(to, to->style->open);
+    if (brackets) put_bracket(to, node, TRUE);
     write_inside(to, node);
-    if (brackets) put(to, to->style->close);
+    if (brackets) put_bracket(to, node, FALSE);
     put(to, to->style->group[1]);
 }
 
@@ -217,6 +251,14 @@ char *tinker_expression_typeset(const TinkerExpression *expression, TinkerTypese
 {
     const Typesetter to = {g_string_new(NULL), style_of(format), look, data};
     put_node(&to, expression, TINKER_BINDS_COMPARISON);
+    return finish(&to, format);
+}
+
+char *tinker_expression_typeset_factor(const TinkerExpression *expression, TinkerTypesetFormat format,
+                                       TinkerLookFunc look, void *data)
+{
+    const Typesetter to = {g_string_new(NULL), style_of(format), look, data};
+    put_node(&to, expression, TINKER_BINDS_PRODUCT);
     return finish(&to, format);
 }
 

@@ -25,6 +25,9 @@ typedef void (*TinkerLookFunc)(const char *symbol, TinkerSymbolLook *look, void 
 char *tinker_expression_typeset(const TinkerExpression *expression, TinkerTypesetFormat format, TinkerLookFunc look,
                                 void *data);
 
+/* The same as a factor of something: a sum stands in brackets. (transfer full) */
+char *tinker_expression_typeset_factor(const TinkerExpression *expression, TinkerTypesetFormat format,
+                                       TinkerLookFunc look, void *data);
 /* As a term of a sum: with its sign, plus or minus, unless it is the first and positive. (transfer full) */
 char *tinker_expression_typeset_term(const TinkerExpression *expression, gboolean first, TinkerTypesetFormat format,
                                      TinkerLookFunc look, void *data);

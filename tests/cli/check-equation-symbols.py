@@ -33,7 +33,7 @@ def mathml_symbols(text):
 def mathml_rows(text):
     row = (r"<tr><td><math>(.*?)</math></td><td><math displaystyle=\"true\"><mrow><mo>=</mo>(.*?)</mrow></math></td>"
            r"<td>(.*?)</td></tr>")
-    text = re.sub(r'<mover accent="true">(<mi>.*?</mi>)<mo>.</mo></mover>', r"\1", text)
+    text = re.sub(r'<mover>(<mi>.*?</mi>)<mo>.</mo></mover>', r"\1", text)
     for left, right, comment in re.findall(row, text):
         plain = html.unescape(re.sub(r"<msup><mn>10</mn><mn>(-?\d+)</mn></msup>", r"10^\1", right))
         plain = re.sub(r"<[^>]*>", "", plain)
@@ -101,6 +101,17 @@ def unexplained(rows):
     return sorted(used - valued), sorted(used - told)
 
 
+def twice_told(text):
+    """Symbols that stand for two things on a page of text: with two meanings behind them."""
+    meanings = {}
+    for left, comment in re.findall(r"^  +([^\n]*?) = [^\n]*?   +(\S[^\n]*)$", text, re.M):
+        if not re.search(r"[+²()]| − |^[\d−]", left) and not comment.startswith("at t = ") and not comment.endswith(":"):
+            meanings.setdefault(left, set()).add(comment)
+    products = {left for left in meanings if " " in left and re.search("[\u0307\u0308]", unicodedata.normalize("NFD", left))}
+    return sorted(f"{left}: {' | '.join(sorted(told))}" for left, told in meanings.items()
+                  if len(told) > 1 and left not in products)
+
+
 def tree_symbols(tree, into):
     if isinstance(tree, str):
         into.add(tree)
@@ -140,6 +151,8 @@ def check(tinker, scene, form, more):
             faults.append(f"{name} {format_}: no value of {', '.join(without_value)}")
         if without_words:
             faults.append(f"{name} {format_}: no meaning of {', '.join(without_words)}")
+        if twice := twice_told(text) if format_ == "text" else []:
+            faults.append(f"{name}: one symbol for two things, {', '.join(twice)}")
     missing = json_unexplained(json.loads(page(tinker, scene, form, "json", *more)))
     if missing:
         faults.append(f"{name} json: no symbol {', '.join(missing)}")
@@ -152,6 +165,7 @@ def main():
     jobs = [(scene, form, []) for scene in scenes for form in FORMS]
     jobs += [(os.path.join(folder, "friction-incline.tinker.json"), "newton", ["--at", "0.5"])]
     jobs += [(os.path.join(folder, "rolling-race.tinker.json"), "newton", ["--block", "Hoop"])]
+    jobs += [(os.path.join(os.path.dirname(__file__), "symbols-that-meet.tinker.json"), form, []) for form in FORMS]
     with concurrent.futures.ThreadPoolExecutor(2) as pool:
         faults = [fault for found in pool.map(lambda job: check(tinker, *job), jobs) for fault in found]
     print("\n".join(faults + [f"{len(jobs)} pages of {len(scenes)} scenes, {len(faults)} faults"]))

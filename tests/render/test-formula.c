@@ -11,8 +11,8 @@
 #define LINE   110
 
 #define X   "<mi>x</mi>"
-#define DOT "<mover accent=\"true\">" X "<mo>˙</mo></mover>"
-#define TWO "<mover accent=\"true\">" X "<mo>¨</mo></mover>"
+#define DOT "<mover>" X "<mo>˙</mo></mover>"
+#define TWO "<mover>" X "<mo>¨</mo></mover>"
 
 typedef struct {
     TestPicture *picture;

@@ -14,14 +14,11 @@ typedef struct {
 
 /* Names and values ------------------------------------------------------------------------------------------------- */
 
-static char *add_name(TinkerEquations *equations, const char *stem, const char *index, int dots)
+static const char *const behind[] = {"", "_d", "_dd"};
+
+static char *name_of(const char *index, int dots)
 {
-    static const char *const behind[] = {"", "_d", "_dd"};
-    char *name = g_strconcat("angle", behind[dots], index[0] != '\0' ? "_" : "", index, NULL);
-    TinkerEquationLook *look = g_new(TinkerEquationLook, 1);
-    *look = (TinkerEquationLook){g_strdup(stem), g_strdup(index), dots, NULL};
-    g_hash_table_insert(equations->looks, g_strdup(name), look);
-    return name;
+    return g_strconcat("angle", behind[dots], index[0] != '\0' ? "_" : "", index, NULL);
 }
 
 /* Of a body that turns: its own angle, turned so that it is that of the way from its joint to its centre. */
@@ -53,15 +50,23 @@ static void value_of_rod(const TinkerEquations *equations, TinkerRodAngle *angle
     angle->rate_value = (d[0] * v[1] - d[1] * v[0]) / (d[0] * d[0] + d[1] * d[1]);
 }
 
+static void show_angle(TinkerEquations *equations, const TinkerRodAngle *angle, const char *index)
+{
+    const char *const names[] = {angle->angle, angle->rate, angle->acceleration};
+    for (int dots = 0; dots < 3; dots++)
+        tinker_equations_add_look(equations, names[dots], "θ", index, dots, NULL);
+}
+
 /* With the number of its body, as its mass. */
 static void name_angle(const Writer *writer, TinkerRodAngle *angle)
 {
     TinkerEquations *equations = writer->equations;
     g_autofree char *place = g_strconcat(tinker_scene_block_name(equations->scene, angle->body), ".x", NULL);
     const char *index = ((const TinkerEquationLook *)g_hash_table_lookup(equations->looks, place))->index;
-    angle->angle = add_name(equations, "θ", index, 0);
-    angle->rate = add_name(equations, "θ", index, 1);
-    angle->acceleration = add_name(equations, "θ", index, 2);
+    angle->angle = name_of(index, 0);
+    angle->rate = name_of(index, 1);
+    angle->acceleration = name_of(index, 2);
+    show_angle(equations, angle, index);
     if (angle->turns)
         value_of_body(equations, angle);
     else
@@ -125,9 +130,8 @@ static TinkerExpression *acceleration_of(Writer *writer, const TinkerLineEquatio
                                              .typed = is_typed(writer->equations, place)};
     definition->value = tinker_equations_value(writer->equations, is);
     g_ptr_array_add(writer->form->definitions, definition);
-    TinkerEquationLook *look = g_new(TinkerEquationLook, 1);
-    *look = (TinkerEquationLook){g_strdup(stems[axis]), g_strdup(""), 2, NULL};
-    g_hash_table_insert(writer->equations->looks, g_strdup(name), look);
+    g_autofree char *index = tinker_equations_free_index(writer->equations, support, stems[axis], "", 2, NULL);
+    tinker_equations_add_look(writer->equations, name, stems[axis], index, 2, NULL);
     return tinker_expression_symbol(name);
 }
 
@@ -197,6 +201,36 @@ static void add_trees(TinkerAngleForm *form, TinkerEquations *equations, const G
     }
 }
 
+static void mark_all(const TinkerEquations *equations, const TinkerAngleForm *form, GHashTable *needed)
+{
+    for (guint i = 0; i < form->trees->len; i++) {
+        const TinkerAngleTree *tree = g_ptr_array_index(form->trees, i);
+        for (guint k = 0; k < tree->equations->len; k++)
+            tinker_equations_mark(equations, g_ptr_array_index(tree->equations, k), needed);
+    }
+    for (guint i = 0; i < form->definitions->len; i++)
+        tinker_equations_mark(equations, ((TinkerEquationDefinition *)g_ptr_array_index(form->definitions, i))->is,
+                              needed);
+    tinker_equations_mark_definitions(equations, needed);
+}
+
+/* What acts on a body somewhere is written with the body's own angle, which has another value than that of the way from
+ * its joint to its centre: where both are needed, the latter gets the body's name in place of its number. */
+static void tell_angles_apart(TinkerEquations *equations, const TinkerAngleForm *form)
+{
+    g_autoptr(GHashTable) needed = g_hash_table_new(g_str_hash, g_str_equal);
+    mark_all(equations, form, needed);
+    for (guint i = 0; i < form->trees->len; i++) {
+        const TinkerAngleTree *tree = g_ptr_array_index(form->trees, i);
+        for (guint k = 0; k < tree->angles->len; k++) {
+            const TinkerRodAngle *angle = tinker_angle_at(tree, (int)k);
+            const char *body = tinker_scene_block_name(equations->scene, angle->body);
+            g_autofree char *own = g_strconcat(body, ".angle", NULL);
+            if (g_hash_table_contains(needed, own)) show_angle(equations, angle, body);
+        }
+    }
+}
+
 TinkerAngleForm *tinker_angle_form_new(TinkerEquations *equations)
 {
     TinkerAngleForm *form = g_new(TinkerAngleForm, 1);
@@ -205,6 +239,7 @@ TinkerAngleForm *tinker_angle_form_new(TinkerEquations *equations)
         g_ptr_array_new_with_free_func(tinker_equation_definition_free), g_ptr_array_new_with_free_func(reason_free)};
     add_trees(form, equations, equations->rods);
     add_trees(form, equations, equations->pins);
+    tell_angles_apart(equations, form);
     if (form->trees->len == 0 && form->why->len == 0 && equations->bodies->len > 0)
         add_reason(form, ((TinkerBodyEquation *)g_ptr_array_index(equations->bodies, 0))->block,
                    "it hangs on no rod from a support");

@@ -74,19 +74,12 @@ static void look_free(void *data)
     g_free(look);
 }
 
-static void add_look(TinkerEquations *equations, const char *name, const char *stem, const char *index, int dots)
-{
-    TinkerEquationLook *look = g_new(TinkerEquationLook, 1);
-    *look = (TinkerEquationLook){g_strdup(stem), g_strdup(index), dots, NULL};
-    g_hash_table_insert(equations->looks, g_strdup(name), look);
-}
-
 static void add_time(TinkerEquationWriter *writer)
 {
     double *time = g_new(double, 1);
     *time = writer->equations->time;
     g_hash_table_insert(writer->equations->values, g_strdup("t"), time);
-    add_look(writer->equations, "t", "t", "", 0);
+    tinker_equations_add_look(writer->equations, "t", "t", "", 0, NULL);
 }
 
 /* The symbols of a body's state, its mass, and its inertia if it turns. */
@@ -112,11 +105,12 @@ static void add_body(TinkerEquationWriter *writer, const TinkerBodyState *state)
     TinkerEquations *equations = writer->equations;
     for (gsize i = 0; i < (state->turns ? 6 : 4); i++) {
         g_autofree char *name = g_strconcat(block_name, ".", quantities[i].quantity, NULL);
-        add_look(equations, name, quantities[i].stem, index, quantities[i].dots);
+        tinker_equations_add_look(equations, name, quantities[i].stem, index, quantities[i].dots, NULL);
         tinker_expression_unref(tinker_writer_symbol(writer, name, block, quantities[i].value, quantities[i].dimension,
                                                      NULL, quantities[i].quantity));
         tinker_equations_set_rounding(equations, name, DBL_EPSILON * quantities[i].scale);
     }
+    if (writer->constrained) tinker_equations_reserve(equations, "θ", index);
     TinkerBodyEquation *body = g_new(TinkerBodyEquation, 1);
     *body = (TinkerBodyEquation){block, tinker_writer_meaning(writer, block, TINKER_MEANING_MASS, 0, "m"), NULL,
                                  g_array_new(FALSE, FALSE, sizeof(TinkerTerm))};
@@ -194,6 +188,7 @@ TinkerEquations *tinker_equations_new(TinkerScene *scene, const TinkerModelState
         .pins = g_ptr_array_new_with_free_func(line_free),
         .rods = g_ptr_array_new_with_free_func(line_free),
         .looks = g_hash_table_new_full(g_str_hash, g_str_equal, g_free, look_free),
+        .taken = g_hash_table_new_full(g_str_hash, g_str_equal, g_free, NULL),
         .values = g_hash_table_new_full(g_str_hash, g_str_equal, g_free, g_free),
         .roundings = g_hash_table_new_full(g_str_hash, g_str_equal, g_free, g_free),
     };
@@ -229,6 +224,7 @@ void tinker_equations_free(TinkerEquations *equations)
     for (gsize i = 0; i < G_N_ELEMENTS(lists); i++)
         g_ptr_array_unref(lists[i]);
     g_hash_table_unref(equations->looks);
+    g_hash_table_unref(equations->taken);
     g_hash_table_unref(equations->values);
     g_hash_table_unref(equations->roundings);
     g_free(equations);

@@ -112,6 +112,7 @@ typedef struct {
     GPtrArray *pins;    /* of TinkerLineEquation, without length and tension: what holds two places together */
     GPtrArray *rods;    /* of TinkerLineEquation: what keeps two places apart, with that length in place of a tension */
     GHashTable *looks;  /* name to TinkerEquationLook */
+    GHashTable *taken;  /* the looks, as stem, component, dots and index in one text: no two names look the same */
     GHashTable *values; /* name to double: of symbols and definitions */
     GHashTable *roundings; /* name to double: of those that are not rounded to the last digit of their value */
 } TinkerEquations;
@@ -121,6 +122,24 @@ typedef struct {
 TinkerEquations *tinker_equations_new(TinkerScene *scene, const TinkerModelState *state, GError **error);
 void tinker_equations_free(TinkerEquations *equations);
 G_DEFINE_AUTOPTR_CLEANUP_FUNC(TinkerEquations, tinker_equations_free)
+
+/* How a name looks from here on; no free name gets that look. The texts are copied. */
+void tinker_equations_add_look(TinkerEquations *equations, const char *name, const char *stem, const char *index,
+                               int dots, const char *component);
+/* No free name gets this look. */
+void tinker_equations_reserve(TinkerEquations *equations, const char *stem, const char *index);
+/* An index for a block's symbol, "" for none: this one, or where another name looks so the block's name. (transfer
+ * full) */
+char *tinker_equations_free_index(const TinkerEquations *equations, TinkerBlockId block, const char *stem,
+                                  const char *index, int dots, const char *component);
+/* A free name with that index, and its look. Borrowed from the equations. */
+const char *tinker_equations_free_name(TinkerEquations *equations, TinkerBlockId block, const char *stem,
+                                       const char *index, int dots, const char *component);
+
+/* Adds the names that an expression needs (const char *, interned). */
+void tinker_equations_mark(const TinkerEquations *equations, const TinkerExpression *expression, GHashTable *needed);
+/* Adds the symbols of the definitions of those that are needed, and of theirs. */
+void tinker_equations_mark_definitions(const TinkerEquations *equations, GHashTable *needed);
 
 /* Of a TinkerEquationDefinition. */
 void tinker_equation_definition_free(void *definition);

@@ -40,6 +40,21 @@ void tinker_equations_look(const char *symbol, TinkerSymbolLook *look, void *dat
                           : (TinkerSymbolLook){symbol, "", 0, NULL};
 }
 
+void tinker_equations_mark(const TinkerEquations *equations, const TinkerExpression *expression, GHashTable *needed)
+{
+    for (int i = 0; i < expression->count; i++)
+        tinker_equations_mark(equations, expression->parts[i], needed);
+    if (expression->kind == TINKER_EXPRESSION_SYMBOL) g_hash_table_add(needed, (void *)expression->name);
+}
+
+void tinker_equations_mark_definitions(const TinkerEquations *equations, GHashTable *needed)
+{
+    for (guint i = equations->definitions->len; i > 0; i--) {
+        const TinkerEquationDefinition *definition = g_ptr_array_index(equations->definitions, i - 1);
+        if (g_hash_table_contains(needed, definition->name)) tinker_equations_mark(equations, definition->is, needed);
+    }
+}
+
 void tinker_equations_set_value(TinkerEquations *equations, const char *name, double value)
 {
     double *kept = g_new(double, 1);

@@ -101,6 +101,7 @@ void tinker_writer_number_blocks(TinkerEquationWriter *writer)
         const TinkerBlockClass *block_class = tinker_scene_block_class(writer->scene, block);
         if (block_class == NULL) continue;
         const Group group = group_of(block_class);
+        writer->constrained |= tinker_law_role(block_class) == TINKER_LAW_CONSTRAINT;
         g_array_append_val(groups[group], block);
         count_stems(writer, block, block_class, group);
     }
@@ -123,23 +124,43 @@ static char *joined(const char *stem, const char *index, int dots, const char *c
                        NULL);
 }
 
-const char *tinker_equations_free_name(TinkerEquations *equations, TinkerBlockId block, const char *stem,
-                                       const char *index, int dots, const char *component)
+void tinker_equations_add_look(TinkerEquations *equations, const char *name, const char *stem, const char *index,
+                               int dots, const char *component)
 {
-    g_autofree char *shown = g_strdup(index);
-    char *name = joined(stem, shown, dots, component);
-    for (int again = 0; g_hash_table_contains(equations->looks, name) || strcmp(name, "t") == 0; again++) {
+    TinkerEquationLook *look = g_new(TinkerEquationLook, 1);
+    *look = (TinkerEquationLook){g_strdup(stem), g_strdup(index), dots, g_intern_string(component)};
+    g_hash_table_insert(equations->looks, g_strdup(name), look);
+    g_hash_table_add(equations->taken, joined(stem, index, dots, component));
+}
+
+void tinker_equations_reserve(TinkerEquations *equations, const char *stem, const char *index)
+{
+    g_hash_table_add(equations->taken, joined(stem, index, 0, NULL));
+}
+
+char *tinker_equations_free_index(const TinkerEquations *equations, TinkerBlockId block, const char *stem,
+                                  const char *index, int dots, const char *component)
+{
+    char *shown = g_strdup(index);
+    for (int again = 0;; again++) {
+        g_autofree char *name = joined(stem, shown, dots, component);
+        if (!g_hash_table_contains(equations->taken, name)) return shown;
         /* taken by a block of another group: by the block's own name, which is unique, and that in turn by a number */
         const char *own = block >= 0 ? tinker_scene_block_name(equations->scene, block) : "";
         g_free(shown);
         shown = again == 0 ? g_strdup(own) : g_strdup_printf("%s %d", own, again);
-        g_free(name);
-        name = joined(stem, shown, dots, component);
     }
-    TinkerEquationLook *look = g_new(TinkerEquationLook, 1);
-    *look = (TinkerEquationLook){g_strdup(stem), g_steal_pointer(&shown), dots, g_intern_string(component)};
-    g_hash_table_insert(equations->looks, name, look);
-    return name;
+}
+
+const char *tinker_equations_free_name(TinkerEquations *equations, TinkerBlockId block, const char *stem,
+                                       const char *index, int dots, const char *component)
+{
+    g_autofree char *shown = tinker_equations_free_index(equations, block, stem, index, dots, component);
+    g_autofree char *name = joined(stem, shown, dots, component);
+    gpointer kept = NULL;
+    tinker_equations_add_look(equations, name, stem, shown, dots, component);
+    g_hash_table_lookup_extended(equations->looks, name, &kept, NULL);
+    return kept;
 }
 
 const char *tinker_writer_name(TinkerEquationWriter *writer, TinkerBlockId block, const char *stem, int dots,

@@ -13,18 +13,19 @@ typedef struct {
     TinkerEquations *equations;
     TinkerScene *scene;
     const TinkerModelState *state;
-    TinkerFrame *frame;  /* at the state's time, for the columns of blocks and supports that nobody describes */
-    TinkerFrame *start;  /* as placed */
-    GHashTable *indices; /* block to char *: its number among those of its group */
-    GHashTable *stems;   /* stem to how many blocks use it */
-    GHashTable *by_name; /* name to TinkerEquationDefinition */
-    GHashTable *points;  /* block of a support to its TinkerPointSymbols */
-    GHashTable *body_of; /* block of a body to its TinkerBodyEquation */
-    GHashTable *places;  /* names of definitions that say where points of bodies are: slopes by a place or an angle
-                            take these as they stand */
-    GHashTable *sampled; /* name of a symbol of a table, or of its rate, to TinkerSampledSymbol */
-    GArray *slopes;      /* of TinkerRowSlope */
-    double extent;       /* m: how far from the origin bodies are */
+    TinkerFrame *frame;   /* at the state's time, for the columns of blocks and supports that nobody describes */
+    TinkerFrame *start;   /* as placed */
+    gboolean constrained; /* there are constraints: bodies may get angles, those of rods and arms */
+    GHashTable *indices;  /* block to char *: its number among those of its group */
+    GHashTable *stems;    /* stem to how many blocks use it */
+    GHashTable *by_name;  /* name to TinkerEquationDefinition */
+    GHashTable *points;   /* block of a support to its TinkerPointSymbols */
+    GHashTable *body_of;  /* block of a body to its TinkerBodyEquation */
+    GHashTable *places;   /* names of definitions that say where points of bodies are: slopes by a place or an angle
+                             take these as they stand */
+    GHashTable *sampled;  /* name of a symbol of a table, or of its rate, to TinkerSampledSymbol */
+    GArray *slopes;       /* of TinkerRowSlope */
+    double extent;        /* m: how far from the origin bodies are */
 } TinkerEquationWriter;
 
 /* A function of time that only its table knows, or a plugin that does not tell: it and its first derivatives are
@@ -69,9 +70,6 @@ void tinker_writer_number_blocks(TinkerEquationWriter *writer);
 /* A free name for a block's symbol, "k" or "k_1", with its look. Borrowed from the equations. */
 const char *tinker_writer_name(TinkerEquationWriter *writer, TinkerBlockId block, const char *stem, int dots,
                                const char *component);
-/* A free name whose index is given; "" for none. Borrowed from the equations. */
-const char *tinker_equations_free_name(TinkerEquations *equations, TinkerBlockId block, const char *stem,
-                                       const char *index, int dots, const char *component);
 
 /* The number of a body among bodies; "" where it is the only one. Borrowed. */
 const char *tinker_writer_index(const TinkerEquationWriter *writer, TinkerBlockId block);

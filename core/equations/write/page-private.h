@@ -37,9 +37,6 @@ void tinker_equations_put_angles(TinkerPage *page, const TinkerAngleForm *form, 
 /* Ends a block of equations that are aligned with each other. */
 void tinker_page_gap(TinkerPage *page);
 
-/* Adds the names that an expression needs (const char *, interned). */
-void tinker_equations_mark(const TinkerEquations *equations, const TinkerExpression *expression, GHashTable *needed);
-
 /* The definitions that these names need, then the values of symbols: first those that are given, then those at the
  * time. */
 void tinker_page_names(TinkerPage *page, GHashTable *needed);
@@ -52,6 +49,8 @@ char *tinker_page_end(TinkerPage *page);
 
 /* In the page's format. (transfer full) */
 char *tinker_page_expression(const TinkerPage *page, const TinkerExpression *expression);
+/* As a factor of something. (transfer full) */
+char *tinker_page_factor(const TinkerPage *page, const TinkerExpression *expression);
 char *tinker_page_symbol(const TinkerPage *page, const char *name);
 /* The symbol with so many dots more. */
 char *tinker_page_derivative(const TinkerPage *page, const char *name, int dots);

@@ -228,6 +228,11 @@ char *tinker_page_expression(const TinkerPage *page, const TinkerExpression *exp
     return tinker_expression_typeset(expression, page->format, tinker_equations_look, (void *)page->equations);
 }
 
+char *tinker_page_factor(const TinkerPage *page, const TinkerExpression *expression)
+{
+    return tinker_expression_typeset_factor(expression, page->format, tinker_equations_look, (void *)page->equations);
+}
+
 char *tinker_page_derivative(const TinkerPage *page, const char *name, int dots)
 {
     GString *text = g_string_new(NULL);

@@ -30,16 +30,12 @@ static char *coordinate(const TinkerPage *page, const TinkerMatrixIsland *island
 /* "+ c q'" where the coefficient is not 0. */
 static void add_term(GString *sum, const TinkerPage *page, const TinkerExpression *factor, char *variable)
 {
-    static const char *const open[] = {"(", "\\left(", "<mo>(</mo>", ", "};
-    static const char *const close[] = {")", "\\right)", "<mo>)</mo>", ", "};
     if (!tinker_expression_is_number(factor, 0)) {
         const gboolean negative = factor->kind == TINKER_EXPRESSION_NEGATIVE;
         const TinkerExpression *size = negative ? factor->parts[0] : factor;
-        const gboolean brackets = size->kind == TINKER_EXPRESSION_SUM;
-        g_autofree char *text = tinker_page_expression(page, size);
+        g_autofree char *text = tinker_page_factor(page, size);
         if (sum->len > 0 || negative) g_string_append(sum, tinker_typeset_sign(page->format, negative ? '-' : '+'));
-        g_string_append_printf(sum, "%s%s%s%s%s", brackets ? open[page->format] : "", text,
-                               brackets ? close[page->format] : "", tinker_typeset_sign(page->format, '*'), variable);
+        g_string_append_printf(sum, "%s%s%s", text, tinker_typeset_sign(page->format, '*'), variable);
     }
     g_free(variable);
 }
@@ -82,11 +78,18 @@ static char *named(const TinkerPage *page, const char *stem, const char *index)
     return g_string_free(text, FALSE);
 }
 
+/* ω of a root; where a block has one with that index, as a motor its frequency, with a 0 before it. */
+static char *natural_name(const TinkerPage *page, const char *index)
+{
+    g_autofree char *free = tinker_equations_free_index(page->equations, TINKER_NO_BLOCK, "ω", index, 0, NULL);
+    g_autofree char *own = strcmp(free, index) == 0 ? g_strdup(index) : g_strconcat("0,", index, NULL);
+    return named(page, "ω", own);
+}
+
 /* x^2. */
-static char *squared(const TinkerPage *page, const char *stem, const char *index)
+static char *squared(const TinkerPage *page, const char *base)
 {
     static const char *const forms[] = {"%s²", "%s^{2}", "<msup>%s<mn>2</mn></msup>", "%s squared"};
-    g_autofree char *base = named(page, stem, index);
     const char *form = forms[page->format], *place = strstr(form, "%s");
     return g_strdup_printf("%.*s%s%s", (int)(place - form), form, base, place + 2);
 }
@@ -99,8 +102,9 @@ static void write_second_order(TinkerPage *page, const TinkerMatrixIsland *islan
     if (!(omega > 0) || isnan(zeta)) return;
     GString *sum = g_string_new(NULL);
     g_autofree char *q = coordinate(page, island, 0, 0), *speed = coordinate(page, island, 0, 1);
-    g_autofree char *acceleration = coordinate(page, island, 0, 2), *square = squared(page, "ω", "0");
-    g_autofree char *ratio = named(page, "ζ", ""), *natural = named(page, "ω", "0");
+    g_autofree char *acceleration = coordinate(page, island, 0, 2);
+    g_autofree char *ratio = named(page, "ζ", ""), *natural = natural_name(page, "0");
+    g_autofree char *square = squared(page, natural);
     g_autoptr(TinkerExpression) two = tinker_expression_number(2);
     g_autofree char *number = tinker_page_expression(page, two);
     g_string_append(sum, acceleration);
@@ -128,7 +132,7 @@ static void write_roots(TinkerPage *page, const TinkerMatrixIsland *island)
                 g_strdup(_("it is not stable: so fast it leaves its rest")));
             continue;
         }
-        tinker_page_equation(page, named(page, "ω", index), tinker_page_quantity(page, omega, frequency),
+        tinker_page_equation(page, natural_name(page, index), tinker_page_quantity(page, omega, frequency),
                              g_strdup(omega > 0 ? _("natural frequency") : _("nothing brings it back")));
         if (!isnan(zeta))
             tinker_page_equation(page, named(page, "ζ", n == 1 ? "" : index), tinker_page_quantity(page, zeta, pure),

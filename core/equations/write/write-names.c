@@ -11,22 +11,6 @@ static const char *name_of(const TinkerEquations *equations, TinkerBlockId block
     return tinker_scene_block_name(equations->scene, block);
 }
 
-void tinker_equations_mark(const TinkerEquations *equations, const TinkerExpression *expression, GHashTable *needed)
-{
-    for (int i = 0; i < expression->count; i++)
-        tinker_equations_mark(equations, expression->parts[i], needed);
-    if (expression->kind == TINKER_EXPRESSION_SYMBOL) g_hash_table_add(needed, (void *)expression->name);
-}
-
-/* What definitions are made of is needed as well. */
-static void close_over_definitions(const TinkerEquations *equations, GHashTable *needed)
-{
-    for (guint i = equations->definitions->len; i > 0; i--) {
-        const TinkerEquationDefinition *definition = g_ptr_array_index(equations->definitions, i - 1);
-        if (g_hash_table_contains(needed, definition->name)) tinker_equations_mark(equations, definition->is, needed);
-    }
-}
-
 /* Whose it is, and what it means. (transfer full) */
 static char *comment_of(const TinkerEquations *equations, const TinkerEquationDefinition *definition)
 {
@@ -126,7 +110,7 @@ static void write_state(TinkerPage *page, GHashTable *needed)
 
 void tinker_page_names(TinkerPage *page, GHashTable *needed)
 {
-    close_over_definitions(page->equations, needed);
+    tinker_equations_mark_definitions(page->equations, needed);
     write_laws(page, needed);
     write_given(page, needed);
     write_state(page, needed);
