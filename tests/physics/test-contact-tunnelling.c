@@ -2,6 +2,14 @@
  * dips. */
 #include "contact-checks.h"
 
+#include "numerics/methods/integrators.h"
+#include "physics/compile/compile.h"
+#include "physics/island/island-run.h"
+#include "physics/model/model.h"
+#include "physics/plan/islands.h"
+#include "physics/plan/plan.h"
+#include "physics/run/island-steps.h"
+
 #include <math.h>
 
 static const double g = CONTACT_GRAVITY;
@@ -156,6 +164,33 @@ static void test_grazing_from_above(void)
     }
 }
 
+/* Two discs that approach each other, taken from one step to the next to where they overlap: however that may come, no
+ * run goes on from there. */
+static void test_missed(void)
+{
+    g_autoptr(GError) error = NULL;
+    g_autoptr(TinkerScene) scene =
+        physics_scene(NULL, "{'type': 'disc', 'name': 'A', 'radius': 0.5, 'position': [0, 0], 'velocity': [1, 0]},"
+                            "{'type': 'disc', 'name': 'B', 'radius': 0.5, 'position': [3, 0], 'velocity': [-1, 0]}");
+    g_autoptr(TinkerModel) model = tinker_model_new(scene, &error);
+    g_assert_no_error(error);
+    g_autoptr(GPtrArray) islands = tinker_islands_new(model, &error);
+    g_assert_no_error(error);
+    const TinkerChoice choice = {.method = tinker_integrator_builtin("rk4"), .step = 1e-3};
+    TinkerSummary whole = {.events = g_ptr_array_new_with_free_func(g_free),
+                           .warnings = g_ptr_array_new_with_free_func(g_free)};
+    TinkerIslandRun *run = tinker_island_run_new(g_ptr_array_index(islands, 0), &choice, 1, 1, &whole, &error);
+    g_assert_no_error(error);
+    g_assert_true(tinker_island_run_step(run, 1, &error));
+    run->state.q[0] += 2.1;
+    g_assert_false(tinker_island_run_step(run, 1, &error));
+    g_assert_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_RUN);
+    g_assert_nonnull(strstr(error->message, "A and B overlap there, by 0.102 m"));
+    tinker_island_run_free(run);
+    g_ptr_array_unref(whole.events);
+    g_ptr_array_unref(whole.warnings);
+}
+
 static void add_tests(void)
 {
     g_test_add_func("/physics/contact-tunnelling/bullets", test_bullets);
@@ -165,6 +200,7 @@ static void add_tests(void)
     g_test_add_func("/physics/contact-tunnelling/kicked-within-a-step", test_kicked_within_a_step);
     g_test_add_func("/physics/contact-tunnelling/grazing", test_grazing);
     g_test_add_func("/physics/contact-tunnelling/grazing-from-above", test_grazing_from_above);
+    g_test_add_func("/physics/contact-tunnelling/missed", test_missed);
 }
 
 int main(int argc, char **argv)

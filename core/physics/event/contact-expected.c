@@ -78,6 +78,7 @@ TinkerStatus tinker_contact_run_carry_to(TinkerContactRun *self, const TinkerTri
     const double *power = self->power;
     *there = FALSE;
     if (!(fabs(time - before) < TINKER_FARTHEST_CARRY * self->usual) || !(longest_carry(self) > 0)) return TINKER_OK;
+    if (fabs(time - before) > before - self->from.t) return TINKER_OK; /* dense output would be anything there */
     TinkerStatus status = TINKER_OK;
     if (!tinker_contact_run_has_looked(self, before))
         status = system->acceleration(system->context, before, state->q, state->v, self->force, self->power);
@@ -88,6 +89,7 @@ TinkerStatus tinker_contact_run_carry_to(TinkerContactRun *self, const TinkerTri
     if (status != TINKER_OK || !*there) return status;
     state->t = fmax(time, self->from.t + 4 * DBL_EPSILON * fabs(self->from.t));
     report->step += state->t - before;
+    self->carried = TRUE;
     return TINKER_OK;
 }
 

@@ -2,6 +2,7 @@
  * until one ends there. */
 #include <float.h>
 #include <math.h>
+#include <string.h>
 
 #include "physics/contact/contacts.h"
 #include "physics/event/contact-run-private.h"
@@ -21,6 +22,7 @@ static void go_back(TinkerContactRun *self)
 {
     tinker_island_run_go_back(self->run, &self->from, self->projection_work, self->position_error);
     tinker_contact_run_hand_start_on(self);
+    self->carried = FALSE;
 }
 
 /* A trial of the time of an event: what the trigger's value was there. */
@@ -197,6 +199,30 @@ static TinkerStatus has_passed_another(TinkerContactRun *self, const TinkerTrigg
     return status;
 }
 
+/* What falls before the event that the step ends at. Where its state was carried on to that, the step is made again for
+ * this, as dense output is of what the method made; the state stays as it was where nothing else is found. */
+static TinkerStatus search_before(TinkerContactRun *self, const TinkerTrigger *event, TinkerTrigger *earlier,
+                                  double *time, double *slope, TinkerStepReport *report)
+{
+    TinkerState *state = &self->run->state;
+    const TinkerSystem *system = &self->run->system.system;
+    const double end = state->t;
+    const gsize bytes = (gsize)system->size * sizeof(double), books = (gsize)system->books * sizeof(double);
+    if (!self->carried) return tinker_contact_run_search(self, self->from.t, end, earlier, time, slope);
+    g_autofree double *q = g_memdup2(state->q, bytes), *v = g_memdup2(state->v, bytes);
+    g_autofree double *kept = g_memdup2(state->books, books);
+    go_back(self);
+    TinkerStatus status = tinker_island_run_make_step(self->run, end, report);
+    if (status == TINKER_OK) status = tinker_contact_run_search(self, self->from.t, state->t, earlier, time, slope);
+    if (status != TINKER_OK || state->t < end) return status;
+    if (earlier->kind != TINKER_TRIGGER_NONE && !is_same(earlier, event)) return TINKER_OK;
+    memcpy(state->q, q, bytes);
+    memcpy(state->v, v, bytes);
+    if (books > 0) memcpy(state->books, kept, books);
+    self->carried = TRUE;
+    return TINKER_OK;
+}
+
 TinkerStatus tinker_contact_run_end_at(TinkerContactRun *self, const TinkerTrigger *trigger, double time, double slope,
                                        TinkerStepReport *report)
 {
@@ -207,9 +233,12 @@ TinkerStatus tinker_contact_run_end_at(TinkerContactRun *self, const TinkerTrigg
         TinkerStatus status = end_at_fall(self, &first, time, slope, report);
         if (status == TINKER_OK && self->pending) status = has_passed_another(self, &first, &passed);
         if (status != TINKER_OK || !passed) return status;
-        status = tinker_contact_run_search(self, self->from.t, self->run->state.t, &earlier, &time, &slope);
-        if (status != TINKER_OK || earlier.kind == TINKER_TRIGGER_NONE || is_same(&earlier, &first)) return status;
-        if (++times == MOST_EARLIER) return TINKER_OK;
+        const double end = self->run->state.t;
+        status = search_before(self, &first, &earlier, &time, &slope, report);
+        const gboolean ends_earlier = self->run->state.t < end; /* and not at the event */
+        if (ends_earlier) self->pending = FALSE;
+        if (status != TINKER_OK || earlier.kind == TINKER_TRIGGER_NONE) return status;
+        if ((is_same(&earlier, &first) && !ends_earlier) || ++times == MOST_EARLIER) return TINKER_OK;
         first = earlier;
         self->pending = FALSE;
     }

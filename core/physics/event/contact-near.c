@@ -1,10 +1,12 @@
 /* Which pairs of body and plate a step may bring together: by distances, so that what does not touch costs next to
- * nothing. */
+ * nothing; and which shapes overlap where they should have met. */
+#include <glib/gi18n-lib.h>
 #include <math.h>
 #include <string.h>
 
 #include "physics/contact/contacts.h"
 #include "physics/event/contact-run-private.h"
+#include "physics/island/island-run.h"
 #include "physics/model/model-data.h"
 
 /* A neighbourhood reaches as far as so many steps like this one lead. */
@@ -178,4 +180,58 @@ void tinker_contact_run_note_quiet(TinkerContactRun *self, const double *x, cons
     }
     memcpy(self->quiet_x, x, (gsize)self->run->system.system.size * sizeof(double));
     self->quiet = nearest;
+}
+
+/* Overlaps --------------------------------------------------------------------------------------------------------- */
+
+void tinker_contact_run_note_overlaps(TinkerContactRun *self)
+{
+    TinkerContacts *contacts = self->contacts;
+    for (int32_t i = 0; i < contacts->pair_count; i++)
+        contacts->pairs[i].passes = tinker_contact_pair_overlap(contacts, &contacts->pairs[i]) > TINKER_TOUCHING;
+}
+
+/* Whether a gap of the pair has just opened, and is watched by its acceleration. */
+static gboolean has_just_parted(const TinkerContactRun *self, const TinkerTouchingPair *pair)
+{
+    for (guint i = 0; i < self->leaving->len; i++) {
+        const TinkerContactPair *leaving = &g_array_index(self->leaving, TinkerContactPair, i);
+        const int32_t gap = leaving->plate - pair->first;
+        if (leaving->row < 0 && gap >= 0 && gap < pair->count) return TRUE;
+    }
+    return FALSE;
+}
+
+static TinkerStatus tell_missed(TinkerContactRun *self, const TinkerTouchingPair *pair, double overlap)
+{
+    TinkerModel *model = self->model;
+    tinker_model_tell_failure(model,
+                              _("%s and %s overlap there, by %.3g m: that they met was missed (a smaller tolerance or "
+                                "step may find it)"),
+                              tinker_scene_block_name(model->scene, tinker_model_block_of(model, pair->point[0])),
+                              tinker_scene_block_name(model->scene, tinker_model_block_of(model, pair->point[1])),
+                              overlap);
+    return TINKER_FAILED;
+}
+
+/* Bodies have no side from which they pass, as tops have. Those that have just parted may overlap by the error of a
+ * step. */
+TinkerStatus tinker_contact_run_watch_overlaps(TinkerContactRun *self)
+{
+    TinkerContacts *contacts = self->contacts;
+    TinkerIslandRun *run = self->run;
+    if (contacts->pair_count == 0) return TINKER_OK;
+    TinkerStatus status = tinker_model_set_time(self->model, run->state.t);
+    if (status != TINKER_OK) return status;
+    tinker_island_run_place(run);
+    tinker_model_set_state(self->model, run->q, run->v);
+    for (int32_t i = 0; i < contacts->pair_count && status == TINKER_OK; i++) {
+        TinkerTouchingPair *pair = &contacts->pairs[i];
+        const double overlap = tinker_contact_pair_overlap(contacts, pair);
+        const gboolean bodies = pair->point[1]<self->model->bodies, passes = overlap> TINKER_TOUCHING;
+        if (passes && !pair->passes && bodies && !has_just_parted(self, pair))
+            status = tell_missed(self, pair, overlap);
+        pair->passes = passes || (pair->passes && overlap > 0);
+    }
+    return status;
 }

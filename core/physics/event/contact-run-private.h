@@ -77,6 +77,7 @@ struct _TinkerContactRun {
     double limit;     /* of the step, but for that */
     gboolean expects; /* the hint is when a contact should close, and the step goes there for the first time */
     gboolean passed;  /* an event, since the last step */
+    gboolean carried; /* the state is behind where the method's step, and dense output with it, ends */
     double usual;     /* s: the length of the last step that ended where its method had it end */
     /* m/s: up to here nothing can come near anything in this step, whose start was not kept; 0: it was */
     double speed_bound;
@@ -135,6 +136,12 @@ static inline gboolean tinker_contact_run_repeats(const TinkerContactRun *contac
 {
     return contact_run->at_once >= TINKER_MANY_AT_ONCE;
 }
+
+/* Notes which shapes overlap at the start, in the state that the model stands at: these pass until they have parted. */
+void tinker_contact_run_note_overlaps(TinkerContactRun *contact_run);
+/* Notes those that have come to overlap without touching, from below or past an end of a top, and those that have
+ * parted. TINKER_FAILED, told by the model: two bodies overlap, and that they met was missed. */
+TinkerStatus tinker_contact_run_watch_overlaps(TinkerContactRun *contact_run);
 
 /* Lists the pairs whose gap may close on the way of the bodies from q_from to q_to, which leads no farther than
  * `travel` (m) away from either. */

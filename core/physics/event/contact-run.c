@@ -189,22 +189,6 @@ static gboolean is_crowded(TinkerContactRun *self)
     return passed <= TINKER_CROWDED * most || self->slow_crowds >= SLOW_CROWDS;
 }
 
-/* Shapes that have come to overlap without touching, from below or past an end of a top, do so until they have parted.
- */
-static void watch_overlaps(TinkerContactRun *self)
-{
-    TinkerContacts *contacts = self->contacts;
-    TinkerIslandRun *run = self->run;
-    if (contacts->pair_count == 0 || tinker_model_set_time(self->model, run->state.t) != TINKER_OK) return;
-    tinker_island_run_place(run);
-    tinker_model_set_state(self->model, run->q, run->v);
-    for (int32_t i = 0; i < contacts->pair_count; i++) {
-        TinkerTouchingPair *pair = &contacts->pairs[i];
-        const double overlap = tinker_contact_pair_overlap(contacts, pair);
-        pair->passes = overlap > TINKER_TOUCHING || (pair->passes && overlap > 0);
-    }
-}
-
 /* Where pins that rub hold more than is needed, nothing says how they share it. */
 static void warn_of_pins(TinkerContactRun *self)
 {
@@ -232,9 +216,7 @@ gboolean tinker_contact_run_start(TinkerContactRun *self, GError **error)
     if (tinker_model_set_time(self->model, 0.0) != TINKER_OK)
         return tinker_island_run_fail(run, self->model->failure, error);
     tinker_model_set_state(self->model, run->q, run->v);
-    for (int32_t i = 0; i < self->contacts->pair_count; i++)
-        self->contacts->pairs[i].passes = FALSE;
-    watch_overlaps(self);
+    tinker_contact_run_note_overlaps(self);
     if (self->model->constraints.unilateral == NULL && !tinker_contacts_touch(self->contacts)) return TRUE;
     if (!enter_plane(self, error)) return FALSE;
     tinker_contacts_close_pins(self->contacts);
@@ -348,27 +330,30 @@ static void keep_start(TinkerContactRun *self, const TinkerState *state)
     memcpy(self->from.books, state->books, (gsize)self->run->system.system.books * sizeof(double));
 }
 
-double tinker_contact_run_begin(TinkerContactRun *self, double limit)
+TinkerStatus tinker_contact_run_begin(TinkerContactRun *self, double *limit)
 {
     const TinkerIslandRun *run = self->run;
-    watch_overlaps(self);
+    TinkerStatus status = tinker_contact_run_watch_overlaps(self);
+    if (status != TINKER_OK) return status;
     if (self->leaving->len > 0) prune_separating(self);
     if (self->starts_low) note_slipping(self);
     if (self->in_plane && tinker_contact_flight_is_free(self)) leave_plane(self);
-    self->limit = limit = tinker_contact_run_step_limit(self, limit);
+    self->limit = tinker_contact_run_step_limit(self, *limit);
     self->from.t = run->state.t;
     self->projection_work = run->system.projection_work;
     self->position_error = run->system.position_error;
     self->speed_bound = 0;
     if (!tinker_method_is_adaptive(run->choice.method) && self->quiet > 0) {
         double speed = TINKER_FASTER * fastest(self, run->state.v);
-        if (tinker_contact_run_is_quiet(self, run->state.q, travel_at(speed, limit - run->state.t)))
+        if (tinker_contact_run_is_quiet(self, run->state.q, travel_at(speed, self->limit - run->state.t)))
             self->speed_bound = speed;
     }
     if (!(self->speed_bound > 0)) keep_start(self, &run->state);
     tinker_contact_run_expect(self);
     self->passed = FALSE;
-    return MIN(limit, self->hint);
+    self->carried = FALSE;
+    *limit = MIN(self->limit, self->hint);
+    return TINKER_OK;
 }
 
 /* Of a step that was taken for quiet and turned out too fast for that: its start, from dense output. */

@@ -28,8 +28,9 @@ gboolean tinker_contact_run_reclassify(TinkerContactRun *contact_run, GError **e
 gboolean tinker_contact_run_open_blow(TinkerContactRun *contact_run, GError **error);
 gboolean tinker_contact_run_close_blow(TinkerContactRun *contact_run, const double *given, GError **error);
 
-/* Before a step to `limit`: notes where it starts. Answers the limit, or an event that is known to come before it. */
-double tinker_contact_run_begin(TinkerContactRun *contact_run, double limit);
+/* Before a step to `limit`, which becomes an event that is known to come before it: notes where it starts.
+ * TINKER_FAILED, told by the model: bodies overlap that never met. */
+TinkerStatus tinker_contact_run_begin(TinkerContactRun *contact_run, double *limit);
 
 /* After the step: looks for the first event in it, and where there is one steps again, to that instant. */
 TinkerStatus tinker_contact_run_look(TinkerContactRun *contact_run, TinkerStepReport *report);

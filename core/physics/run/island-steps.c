@@ -136,10 +136,11 @@ static TinkerStatus make_step(TinkerIslandRun *run, double limit, TinkerStepRepo
 static TinkerStatus step_to_contact(TinkerIslandRun *run, double limit, TinkerStepReport *report)
 {
     if (run->contacts == NULL) return make_step(run, limit, report);
-    limit = tinker_contact_run_begin(run->contacts, limit);
+    TinkerStatus status = tinker_contact_run_begin(run->contacts, &limit);
+    if (status != TINKER_OK) return status;
     if (run->aside.method != NULL && !(run->choice.method->flags & TINKER_INTEGRATOR_LINEAR))
         tinker_island_run_name_method(run);
-    TinkerStatus status = make_step(run, limit, report);
+    status = make_step(run, limit, report);
     return status == TINKER_OK ? tinker_contact_run_look(run->contacts, report) : status;
 }
 

@@ -1,7 +1,10 @@
 /* The errors of this folder. */
 #include "plugin/trust/refuse.h"
 
-G_DEFINE_QUARK(tinker_plugin_error_quark, tinker_plugin_error)
+GQuark tinker_plugin_error_quark(void)
+{
+    return g_quark_from_static_string("tinker-plugin-error-quark");
+}
 
 static void set_error(GError **error, TinkerPluginError code, const char *format, va_list arguments)
     G_GNUC_PRINTF(3, 0);

@@ -1,7 +1,10 @@
 /* What is in a scene: blocks by place, id and name. */
 #include "scene/store/scene-data.h"
 
-G_DEFINE_QUARK(tinker_scene_error_quark, tinker_scene_error)
+GQuark tinker_scene_error_quark(void)
+{
+    return g_quark_from_static_string("tinker-scene-error-quark");
+}
 
 TinkerCatalogue *tinker_scene_catalogue(const TinkerScene *scene)
 {

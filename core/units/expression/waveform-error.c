@@ -1,3 +1,6 @@
 #include "units/expression/waveform-error.h"
 
-G_DEFINE_QUARK(tinker_waveform_error_quark, tinker_waveform_error)
+GQuark tinker_waveform_error_quark(void)
+{
+    return g_quark_from_static_string("tinker-waveform-error-quark");
+}

@@ -18,7 +18,10 @@ typedef struct {
     GError **error;
 } UnitReader;
 
-G_DEFINE_QUARK(tinker_units_error_quark, tinker_units_error)
+GQuark tinker_units_error_quark(void)
+{
+    return g_quark_from_static_string("tinker-units-error-quark");
+}
 
 static glong column_of(const UnitReader *reader, const char *place)
 {
