@@ -17,6 +17,7 @@ typedef struct {
     TinkerContactMode was; /* before the event; OPEN where it was not closed */
     gboolean held; /* a row that neither anything acting nor anything prescribed can move: its speed is rounding */
     gboolean struck;
+    gboolean slows;   /* it slides, and what acted up to an event of a speed slowed it down */
     gboolean at_end;  /* of the top: it ends unless something stops the body there */
     gboolean leaves;  /* it has just opened, and is asked for impulses alone: a blow may throw it back */
     gboolean dropped; /* on its way out of the list */

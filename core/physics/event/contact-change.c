@@ -196,6 +196,27 @@ static void give_alternatives(TinkerContactChange *change, guint before)
     g_clear_pointer(&change->alternatives, g_array_unref);
 }
 
+/* Where a speed has come to 0: what acts on the contacts that were closed up to then, joints included. */
+static gboolean look_before(TinkerContactRun *self, const TinkerTrigger *trigger)
+{
+    const TinkerState *state = &self->run->state;
+    return trigger->kind != TINKER_TRIGGER_SPEED ||
+           tinker_contact_run_look_at(self, state->t, state->q, state->v, NULL) == TINKER_OK;
+}
+
+/* Of what slides, by these accelerations. */
+static void note_slowing(TinkerContactChange *change)
+{
+    for (guint i = 0; change->trigger.kind == TINKER_TRIGGER_SPEED && i < change->touches->len; i++) {
+        TinkerTouch *at = tinker_touch(change, i);
+        double along[2] = {0, 0};
+        if (at->row >= 0) continue;
+        tinker_contacts_relative_acceleration(change->contacts, &at->contact, change->acceleration, along);
+        at->slows = (at->was == TINKER_CONTACT_SLIP_FORWARD && along[1] < 0) ||
+                    (at->was == TINKER_CONTACT_SLIP_BACKWARD && along[1] > 0);
+    }
+}
+
 /* Takes what touches of one group through all four steps. */
 static gboolean change_group(TinkerContactRun *self, const TinkerTrigger *trigger, int32_t group, double tolerance,
                              double slow, GError **error)
@@ -218,10 +239,11 @@ static gboolean change_group(TinkerContactRun *self, const TinkerTrigger *trigge
     const guint events = run->summary.events->len;
     run->system.system.scales(&run->system, run->state.q, run->state.v, &extent, &change.speed);
     change.speed = fmax(change.speed, TINKER_SLOWEST);
-    gboolean done =
-        tinker_change_set_state(&change) == TINKER_OK || tinker_change_refuse(&change, self->model->failure, error);
+    gboolean done = (look_before(self, trigger) && tinker_change_set_state(&change) == TINKER_OK) ||
+                    tinker_change_refuse(&change, self->model->failure, error);
     if (done) {
         tinker_change_take(&change, tolerance);
+        note_slowing(&change);
         done =
             tinker_change_set_state(&change) == TINKER_OK || tinker_change_refuse(&change, self->model->failure, error);
         if (done) tinker_change_note_held(&change);

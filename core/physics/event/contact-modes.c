@@ -19,11 +19,14 @@ static gboolean is_slow(const TinkerContactChange *change, double speed)
     return fabs(speed) <= noise * change->speed;
 }
 
-/* Whether the event is that this speed along the top has come to 0: the method makes no less of it. */
-static gboolean has_stopped(const TinkerContactChange *change, double speed)
+/* Whether the event is that this speed along the top has come to 0: the method makes no less of it. What slides as one
+ * stops as one, such as both corners of a box that lies: of the others it is told by what slowed them down. */
+static gboolean has_stopped(const TinkerContactChange *change, const TinkerTouch *at)
 {
     const TinkerTriggerKind kind = change->trigger.kind;
-    return (kind == TINKER_TRIGGER_SPEED || kind == TINKER_TRIGGER_STARTING) && is_slow(change, speed);
+    if (kind != TINKER_TRIGGER_SPEED && kind != TINKER_TRIGGER_STARTING) return FALSE;
+    if (at->row >= 0 || at->struck || !is_slow(change, at->place.tangential_speed)) return FALSE;
+    return at->slows || tinker_change_is_trigger(change, at);
 }
 
 /* Whether a corner slides, behind a blow, by too little to be seen. Blocks that rock down to rest strike with their
@@ -49,8 +52,8 @@ static int8_t sliding_of(const TinkerContactChange *change, guint number, double
     if (tinker_change_is_trigger(change, at) && !at->struck) {
         if (change->forced && change->trigger.kind == TINKER_TRIGGER_FORWARD) return -1;
         if (change->forced && change->trigger.kind == TINKER_TRIGGER_BACKWARD) return 1;
-        if (has_stopped(change, speed)) return 0;
     }
+    if (has_stopped(change, at)) return 0;
     if (tinker_touch_surface(change, number).static_friction == 0) return 1;
     if (hardly_slides(change, at)) return 0;
     /* what falls over the length of the plate is a scale for what is the only thing that moves */
