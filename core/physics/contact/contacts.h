@@ -259,14 +259,17 @@ static inline gboolean tinker_contacts_is_pin(const TinkerContacts *contacts, co
     return tinker_contacts_resists(contacts, contact) && contacts->plates[contact->plate].bearer < 0;
 }
 
+/* Whether these plates are of corners of one edge on another, which rub along one line; so is each of them with itself.
+ * For a state of the model. */
+gboolean tinker_contacts_on_one_line(const TinkerContacts *contacts, int32_t number, int32_t other);
+
 /* Whether two corners of one edge stick on another: along it they hold the body by one line together. So does each of
  * them with itself. */
 static inline gboolean tinker_contacts_stick_together(const TinkerContacts *contacts, const TinkerContact *a,
                                                       const TinkerContact *b)
 {
-    const TinkerPlate *plate = &contacts->plates[a->plate], *beside = &contacts->plates[b->plate];
     if (a->mode != TINKER_CONTACT_STICK || b->mode != TINKER_CONTACT_STICK) return FALSE;
-    return plate->gap != NULL && !plate->gap->round && beside->pair == plate->pair && !beside->gap->round;
+    return tinker_contacts_on_one_line(contacts, a->plate, b->plate);
 }
 
 /* What a contact that sticks has left its place by (m). */
