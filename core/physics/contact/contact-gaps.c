@@ -261,11 +261,12 @@ static void seat_line(const TinkerContacts *contacts, const TinkerPlate *plate, 
     normal[1] = pose.sine * out[0] + pose.cosine * out[1];
 }
 
-/* Edges of a notch that one body touches are not one line. */
+/* Edges of a notch that one body touches are not one line; and what resists rolling is no corner. */
 gboolean tinker_contacts_on_one_line(const TinkerContacts *contacts, int32_t number, int32_t other)
 {
     const TinkerPlate *plate = &contacts->plates[number], *beside = &contacts->plates[other];
     if (plate->gap == NULL || plate->gap->round || beside->pair != plate->pair || beside->gap->round) return FALSE;
+    if (plate->arm > 0 || beside->arm > 0) return FALSE;
     if (number == other) return TRUE;
     double at[2], off[2], normal[2], facing[2];
     seat_line(contacts, plate, at, normal);
