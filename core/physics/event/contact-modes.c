@@ -30,13 +30,15 @@ static gboolean has_stopped(const TinkerContactChange *change, const TinkerTouch
 }
 
 /* Whether a corner slides, behind a blow, by too little to be seen. Blocks that rock down to rest strike with their
- * corners by turns and slide a little in between, infinitely often in finite time. What stops so may throw another back
- * on what it has just parted from, to be struck again: then it slides on. */
+ * corners by turns and slide a little in between, infinitely often in finite time; discs that rock between two walls
+ * do, with blows so slow at last that what lies between them is rounding of places. What stops so may throw another
+ * back on what it has just parted from, to be struck again: then it slides on. */
 static gboolean hardly_slides(const TinkerContactChange *change, const TinkerTouch *at)
 {
     if (tinker_change_repeats(change)) return FALSE;
     if (!tinker_contacts_is_gap(change->contacts, &at->contact)) return FALSE;
-    if (fabs(at->place.tangential_speed) > TINKER_SLOW_SLIDE * change->speed) return FALSE;
+    const double least = fmax(TINKER_SLOW_SLIDE * change->speed, change->least_rise);
+    if (fabs(at->place.tangential_speed) > least) return FALSE;
     for (guint i = 0; i < change->touches->len; i++)
         if (tinker_touch(change, i)->struck) return TRUE;
     return FALSE;
