@@ -232,6 +232,52 @@ static void test_seams(void)
     }
 }
 
+/* A disc between two slopes of 45 degrees with a torque t on it: nothing determines how they share what holds it, until
+ * both are at the limit of their static friction, mu: at m g R mu / ((1 + mu^2) cos 45). Then both rub by the dynamic
+ * one, nu, which takes the like of it. */
+static void test_turned_in_groove(void)
+{
+    const double radius = 0.5, mu = 0.5, nu = 0.3, end = 4, weight = g * radius / sqrt(0.5);
+    const double most = weight * mu / (1 + mu * mu), rubs = weight * nu / (1 + nu * nu);
+    const char *friction = "'static_friction': 0.5, 'dynamic_friction': 0.3";
+    g_autofree char *right = contact_plate(0, 0, G_PI / 4, 10, friction);
+    g_autofree char *left = contact_plate(0, 0, -G_PI / 4, 10, friction);
+    g_autoptr(PhysicsRun) run =
+        physics_run(&(PhysicsOptions){.duration = end, .columns = "Disc 0.angular velocity"},
+                    CONTACT_WEIGHT "%s, %s, {'type': 'disc', 'radius': 0.5, 'position': [0, %.17g]},"
+                                   "{'type': 'torque', 'ends': ['Disc 0'], 'waveform': {'expression': 't'}}",
+                    right, left, radius / sqrt(0.5));
+    contact_assert_count(run, "slip", 2);
+    contact_assert_event(run, "slip", "Disc 0, Support 0", most, 1e-8);
+    contact_assert_event(run, "slip", "Disc 0, Support 1", most, 1e-8);
+    const double turned = 0.5 * (end * end - most * most) - rubs * (end - most);
+    physics_assert_near("rate", physics_last(run, 0), turned / (0.5 * radius * radius), 1e-6);
+}
+
+/* A ladder of length 2 on a rough floor at a rough wall stands from tan a = (1 - mu^2) / (2 mu) on, whatever the
+ * dynamic friction; pulled at its foot by a force t it slips where both ends are at their limit: with N at the wall m g
+ * cos a / 2 / (sin a + mu cos a), at mu (m g - mu N) - N. */
+static void test_ladder(void)
+{
+    const double mu = 0.5, least = atan((1 - mu * mu) / (2 * mu)), angles[] = {least + 1e-3, 0.85, 1};
+    const char *friction = "'static_friction': 0.5, 'dynamic_friction': 0.3";
+    g_autofree char *floor = contact_plate(0, 0, 0, 20, friction);
+    g_autofree char *wall = contact_plate(0, 0, -G_PI / 2, 20, friction);
+    for (gsize i = 0; i < G_N_ELEMENTS(angles); i++) {
+        const double c = cos(angles[i]), s = sin(angles[i]), leans = 0.5 * g * c / (s + mu * c);
+        g_autoptr(PhysicsRun) run =
+            physics_run(&(PhysicsOptions){.duration = 3, .columns = "Bar 0.x"},
+                        CONTACT_WEIGHT "%s, %s, {'type': 'bar', 'length': 2, 'width': 0, 'solid': true,"
+                                       " 'position': [%.17g, %.17g], 'orientation': %.17g},"
+                                       "{'type': 'motor', 'ends': [{'block': 'Bar 0', 'at': [-1, 0]}],"
+                                       " 'waveform': {'expression': 't'}}",
+                        floor, wall, c, s, G_PI - angles[i]);
+        const TinkerEvent *first = g_ptr_array_index(run->summary->events, 0);
+        g_assert_cmpstr(first->kind, ==, "slip");
+        physics_assert_near("slips", first->time, mu * (g - mu * leans) - leans, 1e-7);
+    }
+}
+
 static void add_tests(void)
 {
     g_test_add_func("/physics/contact-several/into-a-wall", test_into_a_wall);
@@ -243,6 +289,8 @@ static void add_tests(void)
     g_test_add_func("/physics/contact-several/pusher-catches-up", test_pusher_catches_up);
     g_test_add_func("/physics/contact-several/onto-a-ramp", test_onto_a_ramp);
     g_test_add_func("/physics/contact-several/seams", test_seams);
+    g_test_add_func("/physics/contact-several/turned-in-groove", test_turned_in_groove);
+    g_test_add_func("/physics/contact-several/ladder", test_ladder);
 }
 
 int main(int argc, char **argv)

@@ -99,8 +99,9 @@ static void name_change(TinkerContactChange *change, guint number)
     gboolean landed =
         at->struck || (tinker_change_is_trigger(change, at) && change->trigger.kind == TINKER_TRIGGER_GAP);
     if (tinker_change_changes_side(change, at)) return;
-    const char *name = plate != NULL ? name_of_change(at->was, at->contact.mode, landed)
-                                     : name_of_row_change(at->was, at->contact.mode, landed);
+    const TinkerContactMode is = at->contact.at_limit ? TINKER_CONTACT_STICK : at->contact.mode;
+    const char *name =
+        plate != NULL ? name_of_change(at->was, is, landed) : name_of_row_change(at->was, at->contact.mode, landed);
     if (tinker_touch_leans(change, number) &&
         (at->was == TINKER_CONTACT_OPEN || at->contact.mode == TINKER_CONTACT_OPEN))
         return;
@@ -155,12 +156,20 @@ static gboolean close_contacts(TinkerContactChange *change, GError **error)
     return TRUE;
 }
 
+/* Whether nothing determines how the load is shared, or did not until some reached the limit of sticking. */
+static gboolean may_share(const TinkerContactChange *change)
+{
+    for (guint i = 0; i < change->touches->len; i++)
+        if (tinker_touch(change, i)->limit != 0) return TRUE;
+    return tinker_change_shares_load(change);
+}
+
 /* Steps 3 and 4, and what is closed from here on. A contact that reaches the limit of sticking only by its share does
  * not slip where another share holds it. */
 static gboolean settle_contacts(TinkerContactChange *change, GError **error)
 {
     gboolean limit = change->trigger.kind == TINKER_TRIGGER_FORWARD || change->trigger.kind == TINKER_TRIGGER_BACKWARD;
-    change->forced = !(limit && tinker_change_shares_load(change));
+    change->forced = !(limit && may_share(change));
     if (!tinker_change_decide(change, error) || !close_contacts(change, error)) return FALSE;
     gboolean shared = !tinker_change_shares_load(change) || tinker_change_share_load(change);
     if (change->forced || shared) return TRUE;

@@ -44,6 +44,17 @@ static gboolean hardly_slides(const TinkerContactChange *change, const TinkerTou
     return FALSE;
 }
 
+/* The way it would slip that has reached the limit of sticking: with the event, or before it while others held. 0: it
+ * has not. */
+static int8_t limit_of(const TinkerContactChange *change, const TinkerTouch *at)
+{
+    const TinkerTriggerKind kind = change->trigger.kind;
+    if (kind != TINKER_TRIGGER_FORWARD && kind != TINKER_TRIGGER_BACKWARD) return 0;
+    if (!change->forced || at->struck) return 0;
+    if (tinker_change_is_trigger(change, at)) return kind == TINKER_TRIGGER_FORWARD ? -1 : 1;
+    return is_slow(change, at->place.tangential_speed) ? at->limit : 0;
+}
+
 /* Which way it slides; 0 where it is slow enough to stick. An event says that it stops, or that it begins. */
 static int8_t sliding_of(const TinkerContactChange *change, guint number, double acceleration)
 {
@@ -51,10 +62,7 @@ static int8_t sliding_of(const TinkerContactChange *change, guint number, double
     const TinkerPlate *plate = tinker_touch_plate(change, number);
     double speed = at->place.tangential_speed;
     if (plate == NULL) return 1; /* without friction either way is the same */
-    if (tinker_change_is_trigger(change, at) && !at->struck) {
-        if (change->forced && change->trigger.kind == TINKER_TRIGGER_FORWARD) return -1;
-        if (change->forced && change->trigger.kind == TINKER_TRIGGER_BACKWARD) return 1;
-    }
+    if (limit_of(change, at) != 0) return limit_of(change, at);
     if (has_stopped(change, at)) return 0;
     if (tinker_touch_surface(change, number).static_friction == 0) return 1;
     if (hardly_slides(change, at)) return 0;
@@ -77,10 +85,8 @@ static gboolean ask_slow(const TinkerContactChange *change, const TinkerContactL
     gboolean any = FALSE;
     for (guint i = 0; i < laws->count; i++) {
         const TinkerTouch *at = tinker_touch(change, i);
-        const gboolean limit =
-            change->trigger.kind == TINKER_TRIGGER_FORWARD || change->trigger.kind == TINKER_TRIGGER_BACKWARD;
         if (laws->sliding[i] == 0 || tinker_touch_surface(change, i).static_friction == 0) continue;
-        if (limit && change->forced && tinker_change_is_trigger(change, at) && !at->struck) continue;
+        if (limit_of(change, at) != 0) continue;
         if (!is_slow(change, at->place.tangential_speed)) continue;
         laws->sliding[i] = 0;
         any = TRUE;
@@ -135,6 +141,39 @@ static TinkerContactResult solve_modes(const TinkerContactChange *change, const 
     }
 }
 
+/* Those at the limit of sticking, but for pins, whose limit moves with their force. */
+static gboolean is_at_limit(const TinkerContactChange *change, guint number)
+{
+    return limit_of(change, tinker_touch(change, number)) != 0 && !tinker_touch_is_pin(change, number);
+}
+
+/* What has reached the limit of sticking rubs with its dynamic coefficient as soon as it moves, and with the static one
+ * as long as others hold what it rubs on: that moves by nothing then, with a little less friction, too. */
+static TinkerContactResult solve_limits(const TinkerContactChange *change, TinkerClosedContacts *closed,
+                                        TinkerContactLaws *laws)
+{
+    gboolean any = FALSE, moves = FALSE;
+    for (guint i = 0; i < laws->count; i++) {
+        if (!is_at_limit(change, i)) continue;
+        laws->second[i] = (1 - TINKER_SHORT_OF_LIMIT) * laws->first[i];
+        any = TRUE;
+    }
+    if (!any) return solve_modes(change, closed, laws);
+    g_autofree double *relative = g_try_new0(double, 2 * laws->count);
+    if (relative == NULL) return TINKER_CONTACT_NO_MEMORY;
+    closed->relative = relative;
+    moves = solve_modes(change, closed, laws) != TINKER_CONTACT_SOLVED;
+    closed->relative = NULL;
+    for (guint i = 0; i < laws->count; i++)
+        moves |= is_at_limit(change, i) && relative[2 * i + 1] != 0;
+    for (guint i = 0; i < laws->count; i++) {
+        if (!is_at_limit(change, i)) continue;
+        tinker_touch(change, i)->contact.at_limit = !moves;
+        laws->second[i] = moves ? tinker_touch_surface(change, i).dynamic_friction : laws->first[i];
+    }
+    return solve_modes(change, closed, laws);
+}
+
 static TinkerContactResult ask_modes(TinkerContactChange *change, TinkerContactLaws *laws, double scale)
 {
     for (guint i = 0; i < laws->count; i++) {
@@ -147,7 +186,7 @@ static TinkerContactResult ask_modes(TinkerContactChange *change, TinkerContactL
         (int32_t)laws->count,       laws->delassus, laws->pairs, laws->sliding, laws->first, laws->second,
         TINKER_FORCE_NOISE * scale, laws->motion,   laws->bearer};
     if (tinker_contact_run_goes_by_turns(change->run, &change->trigger)) ask_slow(change, laws);
-    TinkerContactResult result = solve_modes(change, &closed, laws);
+    TinkerContactResult result = solve_limits(change, &closed, laws);
     if (result == TINKER_CONTACT_NO_ACCELERATION && ask_slow(change, laws)) result = solve_modes(change, &closed, laws);
     if (result != TINKER_CONTACT_NO_ACCELERATION) return result;
     g_autofree double *velocity = g_try_new(double, 2 * laws->count);
@@ -178,6 +217,7 @@ static void note_modes(TinkerContactChange *change, const TinkerContactLaws *law
         double mass = change->model->mass[at->contact.body];
         const guint bearer = tinker_touch_bearer(change, i);
         at->contact.mode = laws->modes[i];
+        at->contact.at_limit &= laws->modes[i] != TINKER_CONTACT_OPEN && laws->modes[i] != TINKER_CONTACT_STICK;
         if (bearer != i) {
             const gboolean open = tinker_touch(change, bearer)->contact.mode == TINKER_CONTACT_OPEN;
             if (open) at->contact.mode = TINKER_CONTACT_OPEN;
