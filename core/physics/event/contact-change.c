@@ -205,18 +205,24 @@ static void give_alternatives(TinkerContactChange *change, guint before)
     g_clear_pointer(&change->alternatives, g_array_unref);
 }
 
-/* Where a speed has come to 0: what acts on the contacts that were closed up to then, joints included. */
-static gboolean look_before(TinkerContactRun *self, const TinkerTrigger *trigger)
+/* Whether the event is that a speed has come to 0, and others of the group slide as well. */
+static gboolean may_stop_together(const TinkerContactRun *self, const TinkerTrigger *trigger)
 {
-    const TinkerState *state = &self->run->state;
-    return trigger->kind != TINKER_TRIGGER_SPEED ||
-           tinker_contact_run_look_at(self, state->t, state->q, state->v, NULL) == TINKER_OK;
+    const TinkerContacts *contacts = self->contacts;
+    for (guint i = 0; trigger->kind == TINKER_TRIGGER_SPEED && i < contacts->closed->len; i++) {
+        const TinkerContact *contact = tinker_contacts_closed(contacts, i);
+        const gboolean slides =
+            contact->mode == TINKER_CONTACT_SLIP_FORWARD || contact->mode == TINKER_CONTACT_SLIP_BACKWARD;
+        const gboolean other = contact->body != trigger->body || contact->plate != trigger->plate;
+        if (slides && other && contacts->group[contact->body] == contacts->group[trigger->body]) return TRUE;
+    }
+    return FALSE;
 }
 
-/* Of what slides, by these accelerations. */
+/* Of what slides, by the accelerations up to the event. */
 static void note_slowing(TinkerContactChange *change)
 {
-    for (guint i = 0; change->trigger.kind == TINKER_TRIGGER_SPEED && i < change->touches->len; i++) {
+    for (guint i = 0; i < change->touches->len; i++) {
         TinkerTouch *at = tinker_touch(change, i);
         double along[2] = {0, 0};
         if (at->row >= 0) continue;
@@ -248,11 +254,14 @@ static gboolean change_group(TinkerContactRun *self, const TinkerTrigger *trigge
     const guint events = run->summary.events->len;
     run->system.system.scales(&run->system, run->state.q, run->state.v, &extent, &change.speed);
     change.speed = fmax(change.speed, TINKER_SLOWEST);
-    gboolean done = (look_before(self, trigger) && tinker_change_set_state(&change) == TINKER_OK) ||
-                    tinker_change_refuse(&change, self->model->failure, error);
+    const TinkerState *state = &run->state;
+    const gboolean together = may_stop_together(self, trigger);
+    gboolean done = (!together || tinker_contact_run_look_at(self, state->t, state->q, state->v, NULL) == TINKER_OK) &&
+                    tinker_change_set_state(&change) == TINKER_OK;
+    if (!done) tinker_change_refuse(&change, self->model->failure, error);
     if (done) {
         tinker_change_take(&change, tolerance);
-        note_slowing(&change);
+        if (together) note_slowing(&change);
         done =
             tinker_change_set_state(&change) == TINKER_OK || tinker_change_refuse(&change, self->model->failure, error);
         if (done) tinker_change_note_held(&change);
