@@ -141,10 +141,36 @@ static TinkerContactResult solve_modes(const TinkerContactChange *change, const 
     }
 }
 
-/* Those at the limit of sticking, but for pins, whose limit moves with their force. */
-static gboolean is_at_limit(const TinkerContactChange *change, guint number)
+/* Those at the limit of sticking, but for pins, whose limit moves with their force, and those that were let go of. */
+static gboolean is_at_limit(const TinkerContactChange *change, const TinkerContactLaws *laws, guint number)
 {
-    return limit_of(change, tinker_touch(change, number)) != 0 && !tinker_touch_is_pin(change, number);
+    return laws->sliding[number] != 0 && limit_of(change, tinker_touch(change, number)) != 0 &&
+           !tinker_touch_is_pin(change, number);
+}
+
+/* Whether anything moves there by what a solve gave. */
+static gboolean moves_at_limit(const TinkerContactChange *change, const TinkerClosedContacts *closed,
+                               const TinkerContactLaws *laws, TinkerContactResult result)
+{
+    gboolean moves = result != TINKER_CONTACT_SOLVED;
+    for (guint i = 0; i < laws->count; i++)
+        moves |= is_at_limit(change, laws, i) && closed->relative[2 * i + 1] != 0;
+    return moves;
+}
+
+/* What would move against its friction was at its limit by its share alone, and holds by less from here on. */
+static gboolean let_go_of_limits(const TinkerContactChange *change, const TinkerClosedContacts *closed,
+                                 const TinkerContactLaws *laws)
+{
+    gboolean any = FALSE;
+    for (guint i = 0; i < laws->count; i++) {
+        if (!is_at_limit(change, laws, i) || tinker_change_is_trigger(change, tinker_touch(change, i))) continue;
+        if (!(laws->sliding[i] * closed->relative[2 * i + 1] < 0)) continue;
+        laws->sliding[i] = 0;
+        laws->second[i] = tinker_touch_surface(change, i).dynamic_friction;
+        any = TRUE;
+    }
+    return any;
 }
 
 /* What has reached the limit of sticking rubs with its dynamic coefficient as soon as it moves, and with the static one
@@ -154,7 +180,7 @@ static TinkerContactResult solve_limits(const TinkerContactChange *change, Tinke
 {
     gboolean any = FALSE, moves = FALSE;
     for (guint i = 0; i < laws->count; i++) {
-        if (!is_at_limit(change, i)) continue;
+        if (!is_at_limit(change, laws, i)) continue;
         laws->second[i] = (1 - TINKER_SHORT_OF_LIMIT) * laws->first[i];
         any = TRUE;
     }
@@ -162,12 +188,12 @@ static TinkerContactResult solve_limits(const TinkerContactChange *change, Tinke
     g_autofree double *relative = g_try_new0(double, 2 * laws->count);
     if (relative == NULL) return TINKER_CONTACT_NO_MEMORY;
     closed->relative = relative;
-    moves = solve_modes(change, closed, laws) != TINKER_CONTACT_SOLVED;
+    do
+        moves = moves_at_limit(change, closed, laws, solve_modes(change, closed, laws));
+    while (moves && let_go_of_limits(change, closed, laws));
     closed->relative = NULL;
-    for (guint i = 0; i < laws->count; i++)
-        moves |= is_at_limit(change, i) && relative[2 * i + 1] != 0;
     for (guint i = 0; i < laws->count; i++) {
-        if (!is_at_limit(change, i)) continue;
+        if (!is_at_limit(change, laws, i)) continue;
         tinker_touch(change, i)->contact.at_limit = !moves;
         laws->second[i] = moves ? tinker_touch_surface(change, i).dynamic_friction : laws->first[i];
     }
