@@ -232,6 +232,87 @@ static void test_seams(void)
     }
 }
 
+/* A disc between two slopes of 45 degrees with a torque t on it: nothing determines how they share what holds it, until
+ * both are at the limit of their static friction, mu, and of a resistance to rolling, rho: at
+ * m g (mu R + rho) / ((1 + mu^2) cos 45). Then both rub by the dynamic one, nu, which takes the like of it. */
+static void test_turned_in_groove(void)
+{
+    const double radius = 0.5, mu = 0.5, nu = 0.3, end = 4;
+    const char *friction = "'static_friction': 0.5, 'dynamic_friction': 0.3";
+    g_autofree char *right = contact_plate(0, 0, G_PI / 4, 10, friction);
+    g_autofree char *left = contact_plate(0, 0, -G_PI / 4, 10, friction);
+    static const double resistances[] = {0, 0.05};
+    for (gsize i = 0; i < G_N_ELEMENTS(resistances); i++) {
+        const double rho = resistances[i], most = g / sqrt(0.5) * (mu * radius + rho) / (1 + mu * mu),
+                     rubs = g / sqrt(0.5) * (nu * radius + rho) / (1 + nu * nu);
+        g_autofree char *rolls = i == 0 ? g_strdup("") : g_strdup_printf(", 'rolling_resistance': %g", rho);
+        g_autoptr(PhysicsRun) run =
+            physics_run(&(PhysicsOptions){.duration = end, .columns = "Disc 0.angular velocity"},
+                        CONTACT_WEIGHT "%s, %s, {'type': 'disc', 'radius': 0.5, 'position': [0, %.17g]%s},"
+                                       "{'type': 'torque', 'ends': ['Disc 0'], 'waveform': {'expression': 't'}}",
+                        right, left, radius / sqrt(0.5), rolls);
+        for (guint k = 0; k < run->summary->events->len; k++) {
+            const TinkerEvent *event = g_ptr_array_index(run->summary->events, k);
+            g_assert_cmpstr(event->kind, ==, "slip");
+            physics_assert_near("slips", event->time, most, 1e-8);
+        }
+        const double turned = 0.5 * (end * end - most * most) - rubs * (end - most);
+        physics_assert_near("rate", physics_last(run, 0), turned / (0.5 * radius * radius), 1e-6);
+    }
+}
+
+/* A disc that resists rolling, in a groove, swayed by a force off its middle that swings and grows: it stands until no
+ * share of its load holds any more, by linear programming (the largest reserve of all limits over all shares) at
+ * 1.135061113 s. Shares along the way have one contact or the other at a limit, or pressing by nothing. */
+static void test_swayed_in_groove(void)
+{
+    const double right = 0.399455481177645, left = -0.887256337605308, radius = 0.331242675625493;
+    const double x = -radius * (cos(left) - cos(right)) / sin(right - left),
+                 y = radius * (sin(right) - sin(left)) / sin(right - left);
+    g_autofree char *walls[] = {
+        contact_plate(0, 0, right, 40, "'static_friction': 0.316364744331185, 'dynamic_friction': 0.17223653191865"),
+        contact_plate(0, 0, left, 40, "'static_friction': 0.659417789925834, 'dynamic_friction': 0.651724385929271")};
+    g_autoptr(PhysicsRun) run = physics_run(
+        &(PhysicsOptions){.duration = 1.18, .columns = "Disc 0.x, Disc 0.angle"},
+        CONTACT_WEIGHT
+        "%s, %s, {'type': 'disc', 'mass': 2.20245477307957, 'radius': %.17g, 'position': [%.17g, %.17g],"
+        " 'rolling_resistance': 0.054215732963130},"
+        "{'type': 'motor', 'ends': [{'block': 'Disc 0', 'at': [-0.167979205476438, 0.0946236607625299]}],"
+        " 'angle': 1.14918395376256, 'waveform': {'expression': '15.4855471162093*t*sin(5.96283297878942*t)'}}",
+        walls[0], walls[1], radius, x, y);
+    const double slips = 1.135061112852816;
+    contact_assert_event(run, "slip", "Disc 0, Support 0", slips, 1e-9);
+    contact_assert_count(run, "slip", 1);
+    for (gsize i = 0; i < physics_samples(run) && physics_time(run, i) < slips; i++) {
+        physics_assert_near("x", physics_value(run, i, 0), x, 1e-12);
+        physics_assert_near("angle", physics_value(run, i, 1), 0, 1e-12);
+    }
+}
+
+/* A ladder of length 2 on a rough floor at a rough wall stands from tan a = (1 - mu^2) / (2 mu) on, whatever the
+ * dynamic friction; pulled at its foot by a force t it slips where both ends are at their limit: with N at the wall m g
+ * cos a / 2 / (sin a + mu cos a), at mu (m g - mu N) - N. */
+static void test_ladder(void)
+{
+    const double mu = 0.5, least = atan((1 - mu * mu) / (2 * mu)), angles[] = {least + 1e-3, 0.85, 1};
+    const char *friction = "'static_friction': 0.5, 'dynamic_friction': 0.3";
+    g_autofree char *floor = contact_plate(0, 0, 0, 20, friction);
+    g_autofree char *wall = contact_plate(0, 0, -G_PI / 2, 20, friction);
+    for (gsize i = 0; i < G_N_ELEMENTS(angles); i++) {
+        const double c = cos(angles[i]), s = sin(angles[i]), leans = 0.5 * g * c / (s + mu * c);
+        g_autoptr(PhysicsRun) run =
+            physics_run(&(PhysicsOptions){.duration = 3, .columns = "Bar 0.x"},
+                        CONTACT_WEIGHT "%s, %s, {'type': 'bar', 'length': 2, 'width': 0, 'solid': true,"
+                                       " 'position': [%.17g, %.17g], 'orientation': %.17g},"
+                                       "{'type': 'motor', 'ends': [{'block': 'Bar 0', 'at': [-1, 0]}],"
+                                       " 'waveform': {'expression': 't'}}",
+                        floor, wall, c, s, G_PI - angles[i]);
+        const TinkerEvent *first = g_ptr_array_index(run->summary->events, 0);
+        g_assert_cmpstr(first->kind, ==, "slip");
+        physics_assert_near("slips", first->time, mu * (g - mu * leans) - leans, 1e-7);
+    }
+}
+
 static void add_tests(void)
 {
     g_test_add_func("/physics/contact-several/into-a-wall", test_into_a_wall);
@@ -243,6 +324,9 @@ static void add_tests(void)
     g_test_add_func("/physics/contact-several/pusher-catches-up", test_pusher_catches_up);
     g_test_add_func("/physics/contact-several/onto-a-ramp", test_onto_a_ramp);
     g_test_add_func("/physics/contact-several/seams", test_seams);
+    g_test_add_func("/physics/contact-several/turned-in-groove", test_turned_in_groove);
+    g_test_add_func("/physics/contact-several/swayed-in-groove", test_swayed_in_groove);
+    g_test_add_func("/physics/contact-several/ladder", test_ladder);
 }
 
 int main(int argc, char **argv)

@@ -109,6 +109,26 @@ static void test_box_slips(void)
     physics_assert_near("speed", physics_last(pushed, 0), speed, 1e-8);
 }
 
+/* A box slides to rest on a level floor while a force F = 2 t on its middle grows: m v' = F - 0.3 m g. Both of its
+ * corners stop at once, and hold with the static coefficient until F = 0.5 m g, whatever its height. */
+static void test_box_stops(void)
+{
+    static const double heights[] = {0.1, 0.4};
+    const double braked = 0.3 * G, stops = braked - sqrt(braked * braked - 2), slips = 0.5 * G;
+    for (gsize i = 0; i < G_N_ELEMENTS(heights); i++) {
+        g_autoptr(PhysicsRun) run = physics_run(
+            &(PhysicsOptions){.method = "auto", .duration = 6, .columns = "Box 0.vx"},
+            CONTACT_WEIGHT PLANK "{'type': 'box', 'mass': 2, 'position': [0, %g], 'velocity': [1, 0], 'width': 0.4, "
+                                 "'height': %g},"
+                                 "{'type': 'motor', 'ends': ['Box 0'], 'waveform': {'expression': '2*t'}}",
+            0.5, 0.3, TOP + 0.5 * heights[i], heights[i]);
+        contact_assert_event(run, "stick", NULL, stops, 1e-9);
+        contact_assert_event(run, "slip", NULL, slips, 1e-9);
+        contact_assert_count(run, "reversal", 0);
+        physics_assert_near("speed", physics_last(run, 0), 0.5 * (36 - slips * slips) - 0.3 * G * (6 - slips), 1e-8);
+    }
+}
+
 /* y = (X, X'), without friction. */
 static void slide(double t, const double *y, double *rate, const void *data)
 {
@@ -228,6 +248,7 @@ static void add_tests(void)
 {
     g_test_add_func("/contact/tilting/slip", test_slip);
     g_test_add_func("/contact/tilting/box-slips", test_box_slips);
+    g_test_add_func("/contact/tilting/box-stops", test_box_stops);
     g_test_add_func("/contact/tilting/smooth", test_smooth);
     g_test_add_func("/contact/tilting/rolling", test_rolling);
     g_test_add_func("/contact/tilting/blow", test_blow);

@@ -242,6 +242,26 @@ static void test_impulses(void)
     }
 }
 
+/* A disc of 1 kg and radius R in a notch of two edges at 45 degrees, of a plate that is held, with a torque M = t: both
+ * edges hold it until M = mu m g R / ((1 + mu^2) cos 45), then both rub, M less that on it from there on. */
+static void test_turned_in_notch(void)
+{
+    const double radius = 0.5, friction = 0.5, end = 4, inertia = 0.5 * radius * radius;
+    const double most = friction * 9.81 * radius / ((1 + friction * friction) * sqrt(0.5));
+    g_autoptr(PhysicsRun) run = physics_run(
+        &(PhysicsOptions){.duration = end, .columns = "Disc 0.angular velocity"},
+        "{'type': 'gravity'}, {'type': 'support', 'solid': false, 'position': [0, -1]},"
+        "{'type': 'plate', 'corners': [[0, 0], [-2, 2], [-2, -1], [2, -1], [2, 2]], 'centre_of_mass': [0, 0],"
+        " 'inertia': 1, 'position': [0, 0], 'static_friction': %g, 'dynamic_friction': %g},"
+        "{'type': 'weld', 'ends': ['Support 0', {'block': 'Plate 0', 'at': [0, -1]}]},"
+        "{'type': 'disc', 'radius': %g, 'position': [0, %.17g]},"
+        "{'type': 'torque', 'ends': ['Disc 0'], 'waveform': {'expression': 't'}}",
+        friction, friction, radius, radius / sqrt(0.5));
+    contact_assert_event(run, "slip", NULL, most, 1e-9);
+    const double turned = 0.5 * (end * end - most * most) - most * (end - most);
+    physics_assert_near("rate", physics_last(run, 0), turned / inertia, 1e-8);
+}
+
 static void add_tests(void)
 {
     g_test_add_func("/plates/inertias", test_inertias);
@@ -252,6 +272,7 @@ static void add_tests(void)
     g_test_add_func("/plates/angle", test_angle);
     g_test_add_func("/plates/arch", test_arch);
     g_test_add_func("/plates/notch", test_notch);
+    g_test_add_func("/plates/turned-in-notch", test_turned_in_notch);
     g_test_add_func("/plates/inner-corner", test_inner_corner);
     g_test_add_func("/plates/impulses", test_impulses);
 }

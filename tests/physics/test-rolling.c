@@ -56,6 +56,52 @@ static void test_slope(void)
     }
 }
 
+/* A disc at rest with a force F = t on its middle, or a torque M = t, begins to roll at F R = rho N, or M = rho N, and
+ * speeds up with what is beyond that. */
+static void test_begins(void)
+{
+    static const struct {
+        const char *pushes;
+        double arm;
+    } cases[] = {{"motor", 0.4}, {"torque", 1}};
+    const double r = 0.4, rho = 0.1, end = 3;
+    for (gsize i = 0; i < G_N_ELEMENTS(cases); i++) {
+        g_autoptr(PhysicsRun) run = physics_run(
+            &(PhysicsOptions){.duration = end, .columns = "Disc 0.angular velocity"},
+            CONTACT_WEIGHT CONTACT_FLOOR ", 'width': 60}, {'type': 'disc', 'radius': 0.4, 'rolling_resistance': 0.1,"
+                                         " 'position': [0, 0.4]},"
+                                         "{'type': '%s', 'ends': ['Disc 0'], 'waveform': {'expression': 't'}}",
+            cases[i].pushes);
+        const double begins = rho * g / cases[i].arm, beyond = cases[i].arm * (end - begins) * (end - begins) / 2;
+        contact_assert_event(run, "slip", "Disc 0, Support 0", begins, 1e-9);
+        g_assert_cmpuint(run->summary->events->len, ==, 1);
+        physics_assert_near("rate", physics_last(run, 0), (i == 0 ? -1 : 1) * beyond / (1.5 * r * r), 1e-9);
+    }
+}
+
+/* A disc that spins between two rough walls rocks from one to the other, with blows that follow ever faster, infinitely
+ * many of them in finite time: it lies still between them then, with a resistance to rolling and without. */
+static void test_rocks_down(void)
+{
+    const double r = 0.328839826604669, right = 0.515340079580399, left = -0.331401046216596;
+    const double x = -r * (cos(left) - cos(right)) / sin(right - left),
+                 y = r * (sin(right) - sin(left)) / sin(right - left);
+    for (int i = 0; i < 2; i++) {
+        g_autofree char *walls[] = {
+            contact_plate(0, 0, right, 40, "'static_friction': 0.8775, 'dynamic_friction': 0.8775"),
+            contact_plate(0, 0, left, 40, "'static_friction': 0.5787, 'dynamic_friction': 0.5787")};
+        g_autoptr(PhysicsRun) run =
+            physics_run(&(PhysicsOptions){.duration = 1.5, .columns = "Disc 0.x, Disc 0.y, Disc 0.speed"},
+                        CONTACT_WEIGHT "%s, %s, {'type': 'disc', 'radius': %.17g, 'position': [%.17g, %.17g],"
+                                       " 'angular_velocity': 0.5159302025397174, 'static_friction': 0.6454880066547126,"
+                                       " 'dynamic_friction': 0.4856351776494283%s}",
+                        walls[0], walls[1], r, x, y, i == 0 ? "" : ", 'rolling_resistance': 0.02876755531910319");
+        physics_assert_near("x", physics_last(run, 0), x, 1e-12);
+        physics_assert_near("y", physics_last(run, 1), y, 1e-12);
+        physics_assert_near("speed", physics_last(run, 2), 0, 1e-30);
+    }
+}
+
 /* Up a slope it stops; steeper than the limit it turns back there, with another acceleration. */
 static void test_turns_back(void)
 {
@@ -162,6 +208,8 @@ static void add_tests(void)
 {
     g_test_add_func("/rolling/stops", test_stops);
     g_test_add_func("/rolling/slope", test_slope);
+    g_test_add_func("/rolling/begins", test_begins);
+    g_test_add_func("/rolling/rocks-down", test_rocks_down);
     g_test_add_func("/rolling/turns-back", test_turns_back);
     g_test_add_func("/rolling/slides-rolls-stops", test_slides_then_rolls_then_stops);
     g_test_add_func("/rolling/lands-spinning", test_lands_spinning);

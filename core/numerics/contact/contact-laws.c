@@ -89,6 +89,8 @@ TinkerContactResult tinker_contact_modes(const TinkerClosedContacts *closed, Tin
             changed = TRUE;
         }
     } while (changed);
+    if (closed->relative != NULL && result == TINKER_CONTACT_SOLVED)
+        memcpy(closed->relative, room.v, 2 * (gsize)m * sizeof(double));
     g_free(room.many);
     return result;
 }

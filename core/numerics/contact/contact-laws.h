@@ -111,6 +111,7 @@ typedef struct {
     double noise;                   /* m/s^2: accelerations up to this are rounding */
     const TinkerContactMotion *motion;
     const int32_t *bearer; /* as in TinkerImpact */
+    double *relative;      /* 2m: gets the relative accelerations with the forces found, rounding as 0; or NULL */
 } TinkerClosedContacts;
 
 /* Finds what every contact does from here on, and its forces f (2m):

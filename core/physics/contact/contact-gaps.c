@@ -250,6 +250,33 @@ gboolean tinker_contact_gap_is_over(const TinkerContacts *contacts, int32_t numb
     return tinker_gap_is_over(plate->gap, &first, &second, &gap, tolerance);
 }
 
+/* The seat of a gap function, in the world: a point of the edge, and where it faces. */
+static void seat_line(const TinkerContacts *contacts, const TinkerPlate *plate, double point[2], double normal[2])
+{
+    const TinkerBodyPose pose = pose_of(contacts->model, plate->pair, 1 - plate->gap->tip_of);
+    const double *seat = plate->gap->seat, *out = plate->gap->normal;
+    point[0] = pose.x + pose.cosine * seat[0] - pose.sine * seat[1];
+    point[1] = pose.y + pose.sine * seat[0] + pose.cosine * seat[1];
+    normal[0] = pose.cosine * out[0] - pose.sine * out[1];
+    normal[1] = pose.sine * out[0] + pose.cosine * out[1];
+}
+
+/* Edges of a notch that one body touches are not one line; and what resists rolling is no corner. */
+gboolean tinker_contacts_on_one_line(const TinkerContacts *contacts, int32_t number, int32_t other)
+{
+    const TinkerPlate *plate = &contacts->plates[number], *beside = &contacts->plates[other];
+    if (plate->gap == NULL || plate->gap->round || beside->pair != plate->pair || beside->gap->round) return FALSE;
+    if (plate->arm > 0 || beside->arm > 0) return FALSE;
+    if (number == other) return TRUE;
+    double at[2], off[2], normal[2], facing[2];
+    seat_line(contacts, plate, at, normal);
+    seat_line(contacts, beside, off, facing);
+    const double reach = fmin(plate->pair->outline[0]->radius, plate->pair->outline[1]->radius);
+    const double apart = normal[0] * (off[0] - at[0]) + normal[1] * (off[1] - at[1]);
+    return fabs(normal[0] * facing[1] - normal[1] * facing[0]) <= TINKER_ONE_LINE &&
+           fabs(apart) <= TINKER_ONE_LINE * reach;
+}
+
 double tinker_contact_pair_overlap(const TinkerContacts *contacts, const TinkerTouchingPair *pair)
 {
     const TinkerBodyPose first = pose_of(contacts->model, pair, 0), second = pose_of(contacts->model, pair, 1);

@@ -80,6 +80,7 @@ typedef struct {
     TinkerContactMode mode;  /* not OPEN */
     double anchor;           /* `rolled` of one that sticks (TinkerContactPlace) */
     gboolean starts;         /* slips, and has no speed yet that tells which way */
+    gboolean at_limit;       /* slips by its static coefficient: it has reached that, but others hold what it rubs on */
     double normal, friction; /* N, on the body along n and t (on what has the tip of a gap): as worked out last */
     /* Where contacts hold a body more than once nothing determines how they share its load: the share stays as near to
      * this one (N) as the load allows, which the laws of contact gave. */
@@ -259,14 +260,17 @@ static inline gboolean tinker_contacts_is_pin(const TinkerContacts *contacts, co
     return tinker_contacts_resists(contacts, contact) && contacts->plates[contact->plate].bearer < 0;
 }
 
+/* Whether these plates are of corners of one edge on another, which rub along one line; so is each of them with itself.
+ * For a state of the model. */
+gboolean tinker_contacts_on_one_line(const TinkerContacts *contacts, int32_t number, int32_t other);
+
 /* Whether two corners of one edge stick on another: along it they hold the body by one line together. So does each of
  * them with itself. */
 static inline gboolean tinker_contacts_stick_together(const TinkerContacts *contacts, const TinkerContact *a,
                                                       const TinkerContact *b)
 {
-    const TinkerPlate *plate = &contacts->plates[a->plate], *beside = &contacts->plates[b->plate];
     if (a->mode != TINKER_CONTACT_STICK || b->mode != TINKER_CONTACT_STICK) return FALSE;
-    return plate->gap != NULL && !plate->gap->round && beside->pair == plate->pair && !beside->gap->round;
+    return tinker_contacts_on_one_line(contacts, a->plate, b->plate);
 }
 
 /* What a contact that sticks has left its place by (m). */
@@ -332,7 +336,8 @@ static inline TinkerSurface tinker_contact_surface(const TinkerContacts *contact
 /* Friction along t over the normal force, of a contact that slips. */
 static inline double tinker_contact_slip_share(const TinkerContacts *contacts, const TinkerContact *contact)
 {
-    const double share = tinker_contact_surface(contacts, contact->body, contact->plate).dynamic_friction;
+    const TinkerSurface surface = tinker_contact_surface(contacts, contact->body, contact->plate);
+    const double share = contact->at_limit ? surface.static_friction : surface.dynamic_friction;
     if (contact->mode == TINKER_CONTACT_SLIP_FORWARD) return -share;
     return contact->mode == TINKER_CONTACT_SLIP_BACKWARD ? share : 0.0;
 }

@@ -14,6 +14,8 @@
 #define TINKER_START_SLOW 1e-9
 /* No unit; 1 - the cosine of the angle: two normals are opposite to within this. Held by: -. */
 #define TINKER_OPPOSITE 1e-12
+/* rad; and of the smaller of two shapes: edges that differ by no more are one line. Held by: -. */
+#define TINKER_ONE_LINE 1e-6
 /* No unit; of what meets in an equation: smaller misses of an elimination are rounding; a solve that leaves more than
  * half of one is the last. Held by: physics-contact-elimination. */
 #define TINKER_MISS_ROUNDING 1e-14

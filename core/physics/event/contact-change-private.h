@@ -15,8 +15,10 @@ typedef struct {
     int32_t row;           /* -1: a plate */
     TinkerContactPlace place;
     TinkerContactMode was; /* before the event; OPEN where it was not closed */
+    int8_t limit;          /* the way it slipped by `was`, at the limit of sticking, while others held; 0: it did not */
     gboolean held; /* a row that neither anything acting nor anything prescribed can move: its speed is rounding */
     gboolean struck;
+    gboolean slows;   /* it slides, and what acted up to an event of a speed slowed it down */
     gboolean at_end;  /* of the top: it ends unless something stops the body there */
     gboolean leaves;  /* it has just opened, and is asked for impulses alone: a blow may throw it back */
     gboolean dropped; /* on its way out of the list */

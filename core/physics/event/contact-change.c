@@ -99,8 +99,9 @@ static void name_change(TinkerContactChange *change, guint number)
     gboolean landed =
         at->struck || (tinker_change_is_trigger(change, at) && change->trigger.kind == TINKER_TRIGGER_GAP);
     if (tinker_change_changes_side(change, at)) return;
-    const char *name = plate != NULL ? name_of_change(at->was, at->contact.mode, landed)
-                                     : name_of_row_change(at->was, at->contact.mode, landed);
+    const TinkerContactMode is = at->contact.at_limit ? TINKER_CONTACT_STICK : at->contact.mode;
+    const char *name =
+        plate != NULL ? name_of_change(at->was, is, landed) : name_of_row_change(at->was, at->contact.mode, landed);
     if (tinker_touch_leans(change, number) &&
         (at->was == TINKER_CONTACT_OPEN || at->contact.mode == TINKER_CONTACT_OPEN))
         return;
@@ -155,12 +156,20 @@ static gboolean close_contacts(TinkerContactChange *change, GError **error)
     return TRUE;
 }
 
+/* Whether nothing determines how the load is shared, or did not until some reached the limit of sticking. */
+static gboolean may_share(const TinkerContactChange *change)
+{
+    for (guint i = 0; i < change->touches->len; i++)
+        if (tinker_touch(change, i)->limit != 0) return TRUE;
+    return tinker_change_shares_load(change);
+}
+
 /* Steps 3 and 4, and what is closed from here on. A contact that reaches the limit of sticking only by its share does
  * not slip where another share holds it. */
 static gboolean settle_contacts(TinkerContactChange *change, GError **error)
 {
     gboolean limit = change->trigger.kind == TINKER_TRIGGER_FORWARD || change->trigger.kind == TINKER_TRIGGER_BACKWARD;
-    change->forced = !(limit && tinker_change_shares_load(change));
+    change->forced = !(limit && may_share(change));
     if (!tinker_change_decide(change, error) || !close_contacts(change, error)) return FALSE;
     gboolean shared = !tinker_change_shares_load(change) || tinker_change_share_load(change);
     if (change->forced || shared) return TRUE;
@@ -196,6 +205,33 @@ static void give_alternatives(TinkerContactChange *change, guint before)
     g_clear_pointer(&change->alternatives, g_array_unref);
 }
 
+/* Whether the event is that a speed has come to 0, and others of the group slide as well. */
+static gboolean may_stop_together(const TinkerContactRun *self, const TinkerTrigger *trigger)
+{
+    const TinkerContacts *contacts = self->contacts;
+    for (guint i = 0; trigger->kind == TINKER_TRIGGER_SPEED && i < contacts->closed->len; i++) {
+        const TinkerContact *contact = tinker_contacts_closed(contacts, i);
+        const gboolean slides =
+            contact->mode == TINKER_CONTACT_SLIP_FORWARD || contact->mode == TINKER_CONTACT_SLIP_BACKWARD;
+        const gboolean other = contact->body != trigger->body || contact->plate != trigger->plate;
+        if (slides && other && contacts->group[contact->body] == contacts->group[trigger->body]) return TRUE;
+    }
+    return FALSE;
+}
+
+/* Of what slides, by the accelerations up to the event. */
+static void note_slowing(TinkerContactChange *change)
+{
+    for (guint i = 0; i < change->touches->len; i++) {
+        TinkerTouch *at = tinker_touch(change, i);
+        double along[2] = {0, 0};
+        if (at->row >= 0) continue;
+        tinker_contacts_relative_acceleration(change->contacts, &at->contact, change->acceleration, along);
+        at->slows = (at->was == TINKER_CONTACT_SLIP_FORWARD && along[1] < 0) ||
+                    (at->was == TINKER_CONTACT_SLIP_BACKWARD && along[1] > 0);
+    }
+}
+
 /* Takes what touches of one group through all four steps. */
 static gboolean change_group(TinkerContactRun *self, const TinkerTrigger *trigger, int32_t group, double tolerance,
                              double slow, GError **error)
@@ -218,10 +254,14 @@ static gboolean change_group(TinkerContactRun *self, const TinkerTrigger *trigge
     const guint events = run->summary.events->len;
     run->system.system.scales(&run->system, run->state.q, run->state.v, &extent, &change.speed);
     change.speed = fmax(change.speed, TINKER_SLOWEST);
-    gboolean done =
-        tinker_change_set_state(&change) == TINKER_OK || tinker_change_refuse(&change, self->model->failure, error);
+    const TinkerState *state = &run->state;
+    const gboolean together = may_stop_together(self, trigger);
+    gboolean done = (!together || tinker_contact_run_look_at(self, state->t, state->q, state->v, NULL) == TINKER_OK) &&
+                    tinker_change_set_state(&change) == TINKER_OK;
+    if (!done) tinker_change_refuse(&change, self->model->failure, error);
     if (done) {
         tinker_change_take(&change, tolerance);
+        if (together) note_slowing(&change);
         done =
             tinker_change_set_state(&change) == TINKER_OK || tinker_change_refuse(&change, self->model->failure, error);
         if (done) tinker_change_note_held(&change);

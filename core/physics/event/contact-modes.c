@@ -19,24 +19,40 @@ static gboolean is_slow(const TinkerContactChange *change, double speed)
     return fabs(speed) <= noise * change->speed;
 }
 
-/* Whether the event is that this speed along the top has come to 0: the method makes no less of it. */
-static gboolean has_stopped(const TinkerContactChange *change, double speed)
+/* Whether the event is that this speed along the top has come to 0: the method makes no less of it. What slides as one
+ * stops as one, such as both corners of a box that lies: of the others it is told by what slowed them down. */
+static gboolean has_stopped(const TinkerContactChange *change, const TinkerTouch *at)
 {
     const TinkerTriggerKind kind = change->trigger.kind;
-    return (kind == TINKER_TRIGGER_SPEED || kind == TINKER_TRIGGER_STARTING) && is_slow(change, speed);
+    if (kind != TINKER_TRIGGER_SPEED && kind != TINKER_TRIGGER_STARTING) return FALSE;
+    if (at->row >= 0 || at->struck || !is_slow(change, at->place.tangential_speed)) return FALSE;
+    return at->slows || tinker_change_is_trigger(change, at);
 }
 
 /* Whether a corner slides, behind a blow, by too little to be seen. Blocks that rock down to rest strike with their
- * corners by turns and slide a little in between, infinitely often in finite time. What stops so may throw another back
- * on what it has just parted from, to be struck again: then it slides on. */
+ * corners by turns and slide a little in between, infinitely often in finite time; discs that rock between two walls
+ * do, with blows so slow at last that what lies between them is rounding of places. What stops so may throw another
+ * back on what it has just parted from, to be struck again: then it slides on. */
 static gboolean hardly_slides(const TinkerContactChange *change, const TinkerTouch *at)
 {
     if (tinker_change_repeats(change)) return FALSE;
     if (!tinker_contacts_is_gap(change->contacts, &at->contact)) return FALSE;
-    if (fabs(at->place.tangential_speed) > TINKER_SLOW_SLIDE * change->speed) return FALSE;
+    const double least = fmax(TINKER_SLOW_SLIDE * change->speed, change->least_rise);
+    if (fabs(at->place.tangential_speed) > least) return FALSE;
     for (guint i = 0; i < change->touches->len; i++)
         if (tinker_touch(change, i)->struck) return TRUE;
     return FALSE;
+}
+
+/* The way it would slip that has reached the limit of sticking: with the event, or before it while others held. 0: it
+ * has not. */
+static int8_t limit_of(const TinkerContactChange *change, const TinkerTouch *at)
+{
+    const TinkerTriggerKind kind = change->trigger.kind;
+    if (kind != TINKER_TRIGGER_FORWARD && kind != TINKER_TRIGGER_BACKWARD) return 0;
+    if (!change->forced || at->struck) return 0;
+    if (tinker_change_is_trigger(change, at)) return kind == TINKER_TRIGGER_FORWARD ? -1 : 1;
+    return is_slow(change, at->place.tangential_speed) ? at->limit : 0;
 }
 
 /* Which way it slides; 0 where it is slow enough to stick. An event says that it stops, or that it begins. */
@@ -46,11 +62,8 @@ static int8_t sliding_of(const TinkerContactChange *change, guint number, double
     const TinkerPlate *plate = tinker_touch_plate(change, number);
     double speed = at->place.tangential_speed;
     if (plate == NULL) return 1; /* without friction either way is the same */
-    if (tinker_change_is_trigger(change, at) && !at->struck) {
-        if (change->forced && change->trigger.kind == TINKER_TRIGGER_FORWARD) return -1;
-        if (change->forced && change->trigger.kind == TINKER_TRIGGER_BACKWARD) return 1;
-        if (has_stopped(change, speed)) return 0;
-    }
+    if (limit_of(change, at) != 0) return limit_of(change, at);
+    if (has_stopped(change, at)) return 0;
     if (tinker_touch_surface(change, number).static_friction == 0) return 1;
     if (hardly_slides(change, at)) return 0;
     /* what falls over the length of the plate is a scale for what is the only thing that moves */
@@ -72,10 +85,8 @@ static gboolean ask_slow(const TinkerContactChange *change, const TinkerContactL
     gboolean any = FALSE;
     for (guint i = 0; i < laws->count; i++) {
         const TinkerTouch *at = tinker_touch(change, i);
-        const gboolean limit =
-            change->trigger.kind == TINKER_TRIGGER_FORWARD || change->trigger.kind == TINKER_TRIGGER_BACKWARD;
         if (laws->sliding[i] == 0 || tinker_touch_surface(change, i).static_friction == 0) continue;
-        if (limit && change->forced && tinker_change_is_trigger(change, at) && !at->struck) continue;
+        if (limit_of(change, at) != 0) continue;
         if (!is_slow(change, at->place.tangential_speed)) continue;
         laws->sliding[i] = 0;
         any = TRUE;
@@ -130,6 +141,65 @@ static TinkerContactResult solve_modes(const TinkerContactChange *change, const 
     }
 }
 
+/* Those at the limit of sticking, but for pins, whose limit moves with their force, and those that were let go of. */
+static gboolean is_at_limit(const TinkerContactChange *change, const TinkerContactLaws *laws, guint number)
+{
+    return laws->sliding[number] != 0 && limit_of(change, tinker_touch(change, number)) != 0 &&
+           !tinker_touch_is_pin(change, number);
+}
+
+/* Whether anything moves there by what a solve gave. */
+static gboolean moves_at_limit(const TinkerContactChange *change, const TinkerClosedContacts *closed,
+                               const TinkerContactLaws *laws, TinkerContactResult result)
+{
+    gboolean moves = result != TINKER_CONTACT_SOLVED;
+    for (guint i = 0; i < laws->count; i++)
+        moves |= is_at_limit(change, laws, i) && closed->relative[2 * i + 1] != 0;
+    return moves;
+}
+
+/* What would move against its friction was at its limit by its share alone, and holds by less from here on. */
+static gboolean let_go_of_limits(const TinkerContactChange *change, const TinkerClosedContacts *closed,
+                                 const TinkerContactLaws *laws)
+{
+    gboolean any = FALSE;
+    for (guint i = 0; i < laws->count; i++) {
+        if (!is_at_limit(change, laws, i) || tinker_change_is_trigger(change, tinker_touch(change, i))) continue;
+        if (!(laws->sliding[i] * closed->relative[2 * i + 1] < 0)) continue;
+        laws->sliding[i] = 0;
+        laws->second[i] = tinker_touch_surface(change, i).dynamic_friction;
+        any = TRUE;
+    }
+    return any;
+}
+
+/* What has reached the limit of sticking rubs with its dynamic coefficient as soon as it moves, and with the static one
+ * as long as others hold what it rubs on: that moves by nothing then, with a little less friction, too. */
+static TinkerContactResult solve_limits(const TinkerContactChange *change, TinkerClosedContacts *closed,
+                                        TinkerContactLaws *laws)
+{
+    gboolean any = FALSE, moves = FALSE;
+    for (guint i = 0; i < laws->count; i++) {
+        if (!is_at_limit(change, laws, i)) continue;
+        laws->second[i] = (1 - TINKER_SHORT_OF_LIMIT) * laws->first[i];
+        any = TRUE;
+    }
+    if (!any) return solve_modes(change, closed, laws);
+    g_autofree double *relative = g_try_new0(double, 2 * laws->count);
+    if (relative == NULL) return TINKER_CONTACT_NO_MEMORY;
+    closed->relative = relative;
+    do
+        moves = moves_at_limit(change, closed, laws, solve_modes(change, closed, laws));
+    while (moves && let_go_of_limits(change, closed, laws));
+    closed->relative = NULL;
+    for (guint i = 0; i < laws->count; i++) {
+        if (!is_at_limit(change, laws, i)) continue;
+        tinker_touch(change, i)->contact.at_limit = !moves;
+        laws->second[i] = moves ? tinker_touch_surface(change, i).dynamic_friction : laws->first[i];
+    }
+    return solve_modes(change, closed, laws);
+}
+
 static TinkerContactResult ask_modes(TinkerContactChange *change, TinkerContactLaws *laws, double scale)
 {
     for (guint i = 0; i < laws->count; i++) {
@@ -142,7 +212,7 @@ static TinkerContactResult ask_modes(TinkerContactChange *change, TinkerContactL
         (int32_t)laws->count,       laws->delassus, laws->pairs, laws->sliding, laws->first, laws->second,
         TINKER_FORCE_NOISE * scale, laws->motion,   laws->bearer};
     if (tinker_contact_run_goes_by_turns(change->run, &change->trigger)) ask_slow(change, laws);
-    TinkerContactResult result = solve_modes(change, &closed, laws);
+    TinkerContactResult result = solve_limits(change, &closed, laws);
     if (result == TINKER_CONTACT_NO_ACCELERATION && ask_slow(change, laws)) result = solve_modes(change, &closed, laws);
     if (result != TINKER_CONTACT_NO_ACCELERATION) return result;
     g_autofree double *velocity = g_try_new(double, 2 * laws->count);
@@ -173,6 +243,7 @@ static void note_modes(TinkerContactChange *change, const TinkerContactLaws *law
         double mass = change->model->mass[at->contact.body];
         const guint bearer = tinker_touch_bearer(change, i);
         at->contact.mode = laws->modes[i];
+        at->contact.at_limit &= laws->modes[i] != TINKER_CONTACT_OPEN && laws->modes[i] != TINKER_CONTACT_STICK;
         if (bearer != i) {
             const gboolean open = tinker_touch(change, bearer)->contact.mode == TINKER_CONTACT_OPEN;
             if (open) at->contact.mode = TINKER_CONTACT_OPEN;

@@ -73,13 +73,15 @@ static gboolean try_share(TinkerContactChange *change, void (*share)(TinkerConta
     return FALSE;
 }
 
-/* Moves the share of one contact to where it presses by no less than `least` (N) and is a little short of slipping. */
+/* Moves the share of one contact to where it presses by no less than `least` (N) and is a little short of slipping.
+ * What resists rolling presses by what its contact does. */
 static void press(const TinkerContacts *contacts, TinkerContact *contact, double least)
 {
     const double most = tinker_contact_surface(contacts, contact->body, contact->plate).static_friction;
-    contact->base_normal = fmax(contact->normal, least);
+    const double normal = fmax(contact->normal, least);
+    if (!tinker_contacts_resists(contacts, contact)) contact->base_normal = normal;
     if (contact->mode != TINKER_CONTACT_STICK) return;
-    const double bound = SHORT_OF_SLIPPING * most * contact->base_normal;
+    const double bound = SHORT_OF_SLIPPING * most * normal;
     contact->base_friction = CLAMP(contact->friction, -bound, bound);
 }
 
@@ -93,7 +95,7 @@ static gboolean presses_all(TinkerContactChange *change, double least)
     gboolean all = tinker_contact_run_look_at(change->run, state->t, state->q, state->v, NULL) == TINKER_OK;
     for (guint i = 0; all && i < contacts->closed->len; i++) {
         const TinkerContact *contact = tinker_contacts_closed(contacts, i);
-        if (!is_asked(change, contact) || tinker_contacts_resists(contacts, contact)) continue;
+        if (!is_asked(change, contact) || tinker_contacts_is_pin(contacts, contact)) continue;
         all = keeps_laws(contacts, contact) && contact->normal >= 0.5 * least;
     }
     return all;
@@ -114,7 +116,7 @@ static gboolean share_within(TinkerContactChange *change)
         if (pass % PASSES_EACH == 0) least *= pass == 0 ? LARGEST_LEAST : LESS;
         for (guint i = 0; i < contacts->closed->len; i++) {
             TinkerContact *contact = tinker_contacts_closed(contacts, i);
-            if (is_asked(change, contact) && !tinker_contacts_resists(contacts, contact))
+            if (is_asked(change, contact) && !tinker_contacts_is_pin(contacts, contact))
                 press(contacts, contact, least);
         }
         if (presses_all(change, least)) return TRUE;

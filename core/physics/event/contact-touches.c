@@ -114,7 +114,7 @@ static gboolean ends_now(const TinkerContactChange *change, const TinkerTouch *o
            (change->trigger.kind == TINKER_TRIGGER_END || change->trigger.kind == TINKER_TRIGGER_BEGINNING);
 }
 
-/* What was not decided yet counts as open before. */
+/* What was not decided yet counts as open before; what was at the limit of sticking stuck. */
 static void take_closed(TinkerContactChange *change)
 {
     const TinkerContacts *contacts = change->contacts;
@@ -122,6 +122,11 @@ static void take_closed(TinkerContactChange *change)
         TinkerTouch taken = {.contact = *tinker_contacts_closed(contacts, i), .row = -1};
         if (contacts->group[taken.contact.body] != change->group) continue;
         taken.was = taken.contact.mode == TINKER_CONTACT_SMOOTH ? TINKER_CONTACT_OPEN : taken.contact.mode;
+        if (taken.contact.at_limit) {
+            taken.limit = taken.was == TINKER_CONTACT_SLIP_FORWARD ? 1 : -1;
+            taken.was = TINKER_CONTACT_STICK;
+            taken.contact.at_limit = FALSE;
+        }
         taken.place = place_of(change, &taken);
         taken.at_end = ends_now(change, &taken);
         g_array_append_val(change->touches, taken);

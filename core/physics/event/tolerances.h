@@ -38,6 +38,8 @@
 #define TINKER_FASTER 4.0
 /* No unit; of what acts: smaller forces are none. */
 #define TINKER_FORCE_NOISE 1e-10
+/* No unit; of a static coefficient: what moves with so much less is held by that alone. */
+#define TINKER_SHORT_OF_LIMIT 1e-6
 /* No unit; of what acts: what was found to press no more, at an instant that is known no better, presses by no more. */
 #define TINKER_LET_GO 1e-7
 /* No unit; of what a force or an acceleration is made of: below 0 by no more it has not fallen. */
