@@ -289,6 +289,27 @@ static void test_swayed_in_groove(void)
     }
 }
 
+/* A ladder pushed aside near one end by a force that grows: one end, then the other reaches its limit by a share of the
+ * load, the other way than it slips at last; it stands until none holds, by linear programming at 0.570296815 s. */
+static void test_pushed_ladder(void)
+{
+    const double length = 1.20487687670799, lean = 1.91401690461618;
+    g_autofree char *walls[] = {
+        contact_plate(0, 0, 0, 60, "'static_friction': 0.196142420619274, 'dynamic_friction': 0.125255095885553"),
+        contact_plate(0, 0, -G_PI / 2, 60,
+                      "'static_friction': 0.696677816805085, 'dynamic_friction': 0.57402406479358"),
+    };
+    g_autoptr(PhysicsRun) run = physics_run(
+        &(PhysicsOptions){.duration = 0.6, .columns = "Bar 0.x"},
+        CONTACT_WEIGHT "%s, %s, {'type': 'bar', 'mass': 2.84524617066364, 'length': %.17g, 'width': 0, 'solid': true,"
+                       " 'position': [%.17g, %.17g], 'orientation': %.17g},"
+                       "{'type': 'motor', 'ends': [{'block': 'Bar 0', 'at': [0.479331122526202, 0]}],"
+                       " 'angle': 0.781439939295425, 'waveform': {'expression': '10.1294559709353*t'}}",
+        walls[0], walls[1], length, -0.5 * length * cos(lean), 0.5 * length * sin(lean), lean);
+    const TinkerEvent *first = g_ptr_array_index(run->summary->events, 0);
+    physics_assert_near("slips", first->time, 0.570296815, 2e-9);
+}
+
 /* A ladder of length 2 on a rough floor at a rough wall stands from tan a = (1 - mu^2) / (2 mu) on, whatever the
  * dynamic friction; pulled at its foot by a force t it slips where both ends are at their limit: with N at the wall m g
  * cos a / 2 / (sin a + mu cos a), at mu (m g - mu N) - N. */
@@ -327,6 +348,7 @@ static void add_tests(void)
     g_test_add_func("/physics/contact-several/turned-in-groove", test_turned_in_groove);
     g_test_add_func("/physics/contact-several/swayed-in-groove", test_swayed_in_groove);
     g_test_add_func("/physics/contact-several/ladder", test_ladder);
+    g_test_add_func("/physics/contact-several/pushed-ladder", test_pushed_ladder);
 }
 
 int main(int argc, char **argv)

@@ -158,14 +158,23 @@ static gboolean moves_at_limit(const TinkerContactChange *change, const TinkerCl
     return moves;
 }
 
-/* What would move against its friction was at its limit by its share alone, and holds by less from here on. */
+/* Whether it would move the way that its friction pushes. */
+static gboolean goes_back(const TinkerClosedContacts *closed, const TinkerContactLaws *laws, guint number)
+{
+    return laws->sliding[number] * closed->relative[2 * number + 1] < 0;
+}
+
+/* Friction that would move what it holds is more than is needed: another is at its limit in the place of that. It holds
+ * by less from here on; so do all others where it is that of the event itself, which has reached its limit now. */
 static gboolean let_go_of_limits(const TinkerContactChange *change, const TinkerClosedContacts *closed,
                                  const TinkerContactLaws *laws)
 {
-    gboolean any = FALSE;
+    gboolean any = FALSE, all = FALSE;
+    for (guint i = 0; i < laws->count; i++)
+        all |= tinker_change_is_trigger(change, tinker_touch(change, i)) && goes_back(closed, laws, i);
     for (guint i = 0; i < laws->count; i++) {
         if (!is_at_limit(change, laws, i) || tinker_change_is_trigger(change, tinker_touch(change, i))) continue;
-        if (!(laws->sliding[i] * closed->relative[2 * i + 1] < 0)) continue;
+        if (!all && !goes_back(closed, laws, i)) continue;
         laws->sliding[i] = 0;
         laws->second[i] = tinker_touch_surface(change, i).dynamic_friction;
         any = TRUE;
