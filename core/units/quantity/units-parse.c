@@ -6,6 +6,7 @@
 #include "units/quantity/units-private.h"
 
 #define LONGEST_SYMBOL 32  /* bytes of an unknown symbol that a message quotes */
+#define MOST_IN_RUN    4   /* units that letters without a sign between them are taken for */
 #define LARGEST_POWER  128 /* what a dimension can hold, and so what is written of one; sums are checked apart */
 #define DIMENSIONS     4
 
@@ -13,6 +14,8 @@
 typedef struct {
     const char *text;
     const char *at;
+    const char *unit; /* where the unit begins */
+    int sign;         /* of the factor that is read: -1 behind a `/` */
     glong offset;
     const TinkerDimension *wanted; /* for suggestions; NULL where anything goes */
     GError **error;
@@ -51,11 +54,56 @@ static char *units_of(TinkerDimension dimension)
     return g_string_free(g_steal_pointer(&list), FALSE);
 }
 
-static gboolean fail_unknown(const UnitReader *reader, const char *start, gsize length)
+static gsize symbol_length(const char *at)
 {
-    const gboolean whole = length <= LONGEST_SYMBOL;
-    g_autofree char *cut = g_strndup(start, MIN(length, LONGEST_SYMBOL));
-    g_autofree char *symbol = g_utf8_make_valid(cut, -1);
+    const char *end = at;
+    for (;;) {
+        if (g_str_has_prefix(end, "°")) {
+            end += strlen("°");
+        } else if (g_ascii_isalpha(*end) || (end > at && g_ascii_isdigit(*end)) || *end == '_') {
+            end++;
+        } else {
+            return (gsize)(end - at);
+        }
+    }
+}
+
+/* Whether the whole unit can be one of the wanted dimension with `meant` in the place of these letters. */
+static gboolean may_fit(const UnitReader *reader, const char *start, gsize length, const char *meant)
+{
+    TinkerUnit unit;
+    g_autofree char *text =
+        g_strdup_printf("%.*s%s%s", (int)(start - reader->unit), reader->unit, meant, start + length);
+    /* one that is wrong once more, farther on, says nothing yet */
+    return reader->wanted == NULL || !tinker_unit_parse(text, &unit, NULL) ||
+           tinker_dimension_equal(unit.dimension, *reader->wanted);
+}
+
+/* A run of letters that is no unit as so many units of the table, each with the digits of its power: "Nm" is "N m",
+ * "s2" is "s^2". The part of it that is left is at `run`, what was made of the others is in `meant`. FALSE, with
+ * `meant` as it was, where nothing fits. */
+static gboolean split_run(const UnitReader *reader, const char *start, const char *run, int parts, GString *meant)
+{
+    const gsize length = symbol_length(start), before = meant->len;
+    for (const TinkerUnitEntry *entry = tinker_unit_table; entry->symbol != NULL; entry++) {
+        if (!g_str_has_prefix(run, entry->symbol)) continue;
+        const char *digits = run + strlen(entry->symbol);
+        const gsize power = strspn(digits, "0123456789");
+        const gboolean is_last = digits + power == start + length;
+        if (is_last != (parts == 1)) continue;
+        g_string_append_printf(meant, "%s%s%s%.*s", before > 0 ? reader->sign < 0 ? "/" : " " : "", entry->symbol,
+                               power > 0 ? "^" : "", (int)power, digits);
+        if (is_last ? may_fit(reader, start, length, meant->str)
+                    : split_run(reader, start, digits + power, parts - 1, meant))
+            return TRUE;
+        g_string_truncate(meant, before);
+    }
+    return FALSE;
+}
+
+/* The unit that was probably meant by a symbol that there is not; NULL where none comes near. (transfer full) */
+static char *unit_meant(const UnitReader *reader, const char *start, const char *symbol)
+{
     const char *candidates[64];
     gsize count = 0;
     for (const TinkerUnitEntry *entry = tinker_unit_table; entry->symbol != NULL; entry++) {
@@ -63,11 +111,23 @@ static gboolean fail_unknown(const UnitReader *reader, const char *start, gsize 
         candidates[count++] = entry->symbol;
     }
     candidates[count] = NULL;
+    const char *nearest = tinker_nearest_word(symbol, candidates);
+    g_autoptr(GString) split = g_string_new(NULL);
+    for (int parts = 1; parts <= MOST_IN_RUN && (nearest == NULL || reader->wanted != NULL); parts++)
+        if (split_run(reader, start, start, parts, split)) return g_strdup(split->str);
+    return g_strdup(nearest);
+}
 
-    const char *nearest = whole ? tinker_nearest_word(symbol, candidates) : NULL;
+static gboolean fail_unknown(const UnitReader *reader, const char *start, gsize length)
+{
+    if (reader->error == NULL) return FALSE; /* nobody asks why */
+    const gboolean whole = length <= LONGEST_SYMBOL;
+    g_autofree char *cut = g_strndup(start, MIN(length, LONGEST_SYMBOL));
+    g_autofree char *symbol = g_utf8_make_valid(cut, -1);
+    g_autofree char *meant = whole ? unit_meant(reader, start, symbol) : NULL;
     g_autofree char *choice = NULL;
-    if (nearest != NULL) {
-        choice = g_strdup_printf("; did you mean \"%s\"?", nearest);
+    if (meant != NULL) {
+        choice = g_strdup_printf("; did you mean \"%s\"?", meant);
     } else if (reader->wanted != NULL) {
         g_autofree char *units = units_of(*reader->wanted);
         choice = *units != '\0' ? g_strdup_printf("; did you mean %s?", units)
@@ -122,25 +182,12 @@ static gboolean read_power(UnitReader *reader, int *power)
     return TRUE;
 }
 
-static gsize symbol_length(const char *at)
-{
-    const char *end = at;
-    for (;;) {
-        if (g_str_has_prefix(end, "°")) {
-            end += strlen("°");
-        } else if (g_ascii_isalpha(*end) || (end > at && g_ascii_isdigit(*end)) || *end == '_') {
-            end++;
-        } else {
-            return (gsize)(end - at);
-        }
-    }
-}
-
 /* One factor with its power, multiplied onto the unit; `sign` is -1 behind a `/`. */
 static gboolean read_factor(UnitReader *reader, int sign, double *factor, int exponents[DIMENSIONS])
 {
     const char *start = reader->at;
     const gsize length = symbol_length(start);
+    reader->sign = sign;
     if (length == 0) {
         const char *message =
             *start == '\0' ? "a unit is missing at the end" : "a unit is expected here, such as m, kg or lbf/ft";
@@ -190,6 +237,7 @@ static gboolean read_unit(UnitReader *reader, TinkerUnit *unit)
     double factor = 1;
     int sign = 1;
     skip_blanks(&reader->at);
+    reader->unit = reader->at;
     if (*reader->at == '1' && !g_ascii_isdigit(reader->at[1])) {
         reader->at++;
         const char *behind = reader->at;
@@ -242,6 +290,23 @@ static const char *number_end(const char *at)
     return end;
 }
 
+/* A comma where a number has none: between its whole part and its decimals, as other languages write it, or between
+ * thousands. `comma` is in the number that begins at `start`. */
+static gboolean fail_comma(const UnitReader *reader, const char *start, const char *comma)
+{
+    const char *end = comma;
+    int commas = 0;
+    for (; g_ascii_isdigit(*end) || (*end == ',' && g_ascii_isdigit(end[1])); end++)
+        commas += *end == ',';
+    g_autoptr(GString) meant = g_string_new_len(start, end - start);
+    g_string_replace(meant, ",", commas == 1 ? "." : "", 0);
+    g_autofree char *message =
+        g_strdup_printf(commas == 1 ? "decimals stand behind a point, not a comma; did you mean \"%s\"?"
+                                    : "no commas stand between thousands; did you mean \"%s\"?",
+                        meant->str);
+    return fail(reader, TINKER_UNITS_ERROR_SYNTAX, comma, message);
+}
+
 gboolean tinker_unit_parse(const char *text, TinkerUnit *unit, GError **error)
 {
     if (!check_text(text, error)) return FALSE;
@@ -256,6 +321,8 @@ gboolean tinker_quantity_parse(const char *text, TinkerDimension wanted, double 
     skip_blanks(&reader.at);
     const char *start = reader.at;
     const char *end = number_end(start);
+    const char *comma = end > start ? end : start + strspn(start, "+-");
+    if (*comma == ',' && g_ascii_isdigit(comma[1])) return fail_comma(&reader, start, comma);
     if (end == start)
         return fail(&reader, TINKER_UNITS_ERROR_SYNTAX, start, "a number is expected here, as in 12 or 12 in");
 
