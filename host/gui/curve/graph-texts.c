@@ -48,23 +48,49 @@ static char *label_of(const TinkerGraphData *data, AxisPlace place)
     return tinker_graph_axes_label((const TinkerGraphAxis *)(gpointer)axes->data, axes->len);
 }
 
+/* Whether all curves are of one quantity, each of another block: what tells them apart is the block alone. */
+static gboolean has_one_quantity(const TinkerGraphData *data)
+{
+    for (guint i = 0; i < data->own; i++) {
+        const TinkerGraphSeries *series = graph_line(data, i)->series;
+        if (tinker_graph_series_block(series)[0] == '\0' || !g_str_equal(y_title(data, i), y_title(data, 0)))
+            return FALSE;
+    }
+    return !has_one_block(data);
+}
+
+/* "Y Position: Mass 0, Mass 1". (transfer full) */
+static char *title_of_blocks(const TinkerGraphData *data)
+{
+    GString *title = g_string_new(NULL);
+    g_string_printf(title, "%s: ", y_title(data, 0));
+    for (guint i = 0; i < data->own; i++)
+        g_string_append_printf(title, "%s%s", i > 0 ? ", " : "",
+                               tinker_graph_series_block(graph_line(data, i)->series));
+    return g_string_free(title, FALSE);
+}
+
+/* (transfer full) */
+static char *title_of_curves(const TinkerGraphData *data)
+{
+    if (has_one_quantity(data)) return title_of_blocks(data);
+    const gboolean one_block = has_one_block(data);
+    GString *title = g_string_new(NULL);
+    for (guint i = 0; i < data->own; i++) {
+        g_autofree char *name = name_of(data, i, i == 0 || !one_block);
+        g_string_append_printf(title, "%s%s", i > 0 ? ", " : "", name);
+    }
+    return g_string_free(title, FALSE);
+}
+
 static char *title_of(const TinkerGraphData *data)
 {
     if (data->graph->title != NULL && data->graph->title[0] != '\0') return g_strdup(data->graph->title);
-    const gboolean one_block = has_one_block(data);
-    g_autofree char *first = name_of(data, 0, TRUE);
+    g_autofree char *curves = title_of_curves(data);
     if (data->own == 1 && !data->over_time && !data->is_spectrum)
-        return g_strdup_printf(_("%s over %s"), first,
+        return g_strdup_printf(_("%s over %s"), curves,
                                tinker_translate(tinker_graph_series_x_axis(graph_line(data, 0)->series)->title));
-    GString *title = g_string_new(first);
-    for (guint i = 1; i < data->own; i++) {
-        g_autofree char *name = name_of(data, i, !one_block);
-        g_string_append_printf(title, ", %s", name);
-    }
-    char *plain = g_string_free(title, FALSE);
-    if (!data->is_spectrum) return plain;
-    g_autofree char *of = plain;
-    return g_strdup_printf(_("Spectrum of %s"), of);
+    return data->is_spectrum ? g_strdup_printf(_("Spectrum of %s"), curves) : g_steal_pointer(&curves);
 }
 
 static gboolean has_several_units(const TinkerGraphData *data, gboolean right)
@@ -89,6 +115,34 @@ static void call_amplitudes(TinkerGraphData *data)
     }
 }
 
+/* Several runs of one curve are told apart by the run alone. (transfer full) */
+static char *with_run(const TinkerGraphData *data, const char *name, const char *run)
+{
+    if (run == NULL) return g_strdup(name);
+    return data->own == 1 ? g_strdup(run) : g_strdup_printf("%s (%s)", name, run);
+}
+
+/* `now` is what the present run is called beside those that are kept. */
+static void name_line(TinkerGraphData *data, guint number, gboolean with_block, const char *now)
+{
+    GraphLine *line = graph_line(data, number);
+    const TinkerGraphSeries *series = line->series;
+    g_autofree char *plain = name_of(data, number, with_block);
+    g_free(line->run_name);
+    line->run_name =
+        line->run != NULL ? tinker_kept_run_name_beside(line->run, tinker_document_scene(data->document)) : NULL;
+    const gboolean among_runs = data->lines->len > data->own && !tinker_graph_series_is_table(series);
+    const char *run = !among_runs ? NULL : line->run != NULL ? line->run_name : now;
+    g_free(line->name);
+    line->name = with_run(data, plain, run);
+    g_autofree char *in_legend =
+        with_run(data, has_one_quantity(data) ? tinker_graph_series_block(series) : plain, run);
+    g_free(line->label);
+    line->label = has_several_units(data, tinker_graph_series_is_right(series))
+                      ? tinker_axis_label(in_legend, tinker_graph_series_y_axis(series)->unit)
+                      : g_steal_pointer(&in_legend);
+}
+
 void graph_data_renew_texts(TinkerGraphData *data)
 {
     char **texts[] = {&data->title, &data->x_label, &data->y_label, &data->right_label};
@@ -102,22 +156,8 @@ void graph_data_renew_texts(TinkerGraphData *data)
     data->y_label = label_of(data, AXIS_LEFT);
     data->right_label = label_of(data, AXIS_RIGHT);
     if (data->is_spectrum) call_amplitudes(data);
-    for (guint i = 0; i < data->lines->len; i++) {
-        GraphLine *line = graph_line(data, i);
-        const char *unit = tinker_graph_series_y_axis(line->series)->unit;
-        line->name = name_of(data, i, !one_block);
-        if (data->lines->len > data->own && !tinker_graph_series_is_table(line->series)) {
-            /* several runs of one curve are told apart by the run alone */
-            g_autofree char *plain = line->name;
-            g_autofree char *run = line->run != NULL
-                                       ? tinker_kept_run_name_beside(line->run, tinker_document_scene(data->document))
-                                       : g_strdup(now);
-            line->name = data->own == 1 ? g_strdup(run) : g_strdup_printf("%s (%s)", plain, run);
-        }
-        line->label = has_several_units(data, tinker_graph_series_is_right(line->series))
-                          ? tinker_axis_label(line->name, unit)
-                          : g_strdup(line->name);
-    }
+    for (guint i = 0; i < data->lines->len; i++)
+        name_line(data, i, !one_block, now);
 }
 
 char *tinker_graph_value_text(const char *name, double value, const char *unit)
