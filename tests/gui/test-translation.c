@@ -30,6 +30,7 @@ static void test_descriptor_texts(void)
     g_assert_cmpstr(tinker_translate("Undeformed Length"), ==, "Ungedehnte Länge");
     g_assert_cmpstr(tinker_translate("Spring-mass system"), ==, "Feder-Masse-System");
     g_assert_cmpstr(tinker_translate("Flux Capacitor"), ==, "Flux Capacitor");
+    g_assert_cmpstr(tinker_translate("Distance to Mass"), ==, "Abstand zu Mass"); /* the user's name stays */
     g_assert_cmpstr(tinker_translate(""), ==, "");
     g_assert_null(tinker_translate(NULL));
 }

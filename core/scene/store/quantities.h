@@ -19,6 +19,9 @@ enum {
     TINKER_IMPLIED_DISTANCE = 0x1000000, /* m: between the centres; the other block's id is added to it */
 };
 
+/* What the title of a distance begins with; the other block's name follows. */
+#define TINKER_DISTANCE_TITLE "Distance to "
+
 /* Numbers of the scene's quantities. */
 typedef enum {
     TINKER_SCENE_KINETIC,    /* J */

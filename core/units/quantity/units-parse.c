@@ -1,5 +1,6 @@
 /* Reading units and quantities. A unit is factors between product signs (space, `*`, `·`, `-` between letters) and `/`,
  * each a symbol of the table with an optional power: "m^2", "m²", "s^-1". `1` may stand before a `/`. */
+#include <glib/gi18n-lib.h>
 #include <math.h>
 #include <string.h>
 
@@ -48,7 +49,7 @@ static char *units_of(TinkerDimension dimension)
     }
     g_autoptr(GString) list = g_string_new(NULL);
     for (guint i = 0; i < units->len; i++) {
-        if (i > 0) g_string_append(list, i + 1 < units->len ? ", " : " or ");
+        if (i > 0) g_string_append(list, i + 1 < units->len ? ", " : _(" or "));
         g_string_append_printf(list, "\"%s\"", (const char *)units->pdata[i]);
     }
     return g_string_free(g_steal_pointer(&list), FALSE);
@@ -127,14 +128,14 @@ static gboolean fail_unknown(const UnitReader *reader, const char *start, gsize 
     g_autofree char *meant = whole ? unit_meant(reader, start, symbol) : NULL;
     g_autofree char *choice = NULL;
     if (meant != NULL) {
-        choice = g_strdup_printf("; did you mean \"%s\"?", meant);
+        choice = g_strdup_printf(_("; did you mean \"%s\"?"), meant);
     } else if (reader->wanted != NULL) {
         g_autofree char *units = units_of(*reader->wanted);
-        choice = *units != '\0' ? g_strdup_printf("; did you mean %s?", units)
-                                : g_strdup("; a plain number is expected here");
+        choice = *units != '\0' ? g_strdup_printf(_("; did you mean %s?"), units)
+                                : g_strdup(_("; a plain number is expected here"));
     }
     g_autofree char *message =
-        g_strdup_printf("unknown unit \"%s%s\"%s", symbol, whole ? "" : "...", choice != NULL ? choice : "");
+        g_strdup_printf(_("unknown unit \"%s%s\"%s"), symbol, whole ? "" : "...", choice != NULL ? choice : "");
     return fail(reader, TINKER_UNITS_ERROR_UNKNOWN, start, message);
 }
 
@@ -171,12 +172,12 @@ static gboolean read_power(UnitReader *reader, int *power)
     *power = 1;
     if (digit < 0) {
         if (raised && !negative) return TRUE;
-        return fail(reader, TINKER_UNITS_ERROR_SYNTAX, start, "a whole number is expected as the power, as in m^2");
+        return fail(reader, TINKER_UNITS_ERROR_SYNTAX, start, _("a whole number is expected as the power, as in m^2"));
     }
     *power = 0;
     for (; digit >= 0; digit = read_digit(&reader->at, raised)) {
         *power = *power * 10 + digit;
-        if (*power > LARGEST_POWER) return fail(reader, TINKER_UNITS_ERROR_SYNTAX, start, "the power is too large");
+        if (*power > LARGEST_POWER) return fail(reader, TINKER_UNITS_ERROR_SYNTAX, start, _("the power is too large"));
     }
     if (negative) *power = -*power;
     return TRUE;
@@ -190,7 +191,7 @@ static gboolean read_factor(UnitReader *reader, int sign, double *factor, int ex
     reader->sign = sign;
     if (length == 0) {
         const char *message =
-            *start == '\0' ? "a unit is missing at the end" : "a unit is expected here, such as m, kg or lbf/ft";
+            *start == '\0' ? _("a unit is missing at the end") : _("a unit is expected here, such as m, kg or lbf/ft");
         return fail(reader, TINKER_UNITS_ERROR_SYNTAX, start, message);
     }
     char symbol[LONGEST_SYMBOL + 1];
@@ -210,7 +211,7 @@ static gboolean read_factor(UnitReader *reader, int sign, double *factor, int ex
         exponents[i] += power * own[i];
         fits = fits && exponents[i] >= G_MININT8 && exponents[i] <= G_MAXINT8;
     }
-    return fits || fail(reader, TINKER_UNITS_ERROR_SYNTAX, start, "the unit is out of range");
+    return fits || fail(reader, TINKER_UNITS_ERROR_SYNTAX, start, _("the unit is out of range"));
 }
 
 /* The sign between two factors: 1 for a product, -1 for `/`, 0 at the end. */
@@ -242,7 +243,7 @@ static gboolean read_unit(UnitReader *reader, TinkerUnit *unit)
         reader->at++;
         const char *behind = reader->at;
         sign = read_sign(reader);
-        if (sign > 0) return fail(reader, TINKER_UNITS_ERROR_SYNTAX, behind, "a \"/\" is expected here, as in 1/s");
+        if (sign > 0) return fail(reader, TINKER_UNITS_ERROR_SYNTAX, behind, _("a \"/\" is expected here, as in 1/s"));
     }
     if (*reader->at == '\0' && sign > 0) sign = 0;
     for (; sign != 0; sign = read_sign(reader))
@@ -301,8 +302,8 @@ static gboolean fail_comma(const UnitReader *reader, const char *start, const ch
     g_autoptr(GString) meant = g_string_new_len(start, end - start);
     g_string_replace(meant, ",", commas == 1 ? "." : "", 0);
     g_autofree char *message =
-        g_strdup_printf(commas == 1 ? "decimals stand behind a point, not a comma; did you mean \"%s\"?"
-                                    : "no commas stand between thousands; did you mean \"%s\"?",
+        g_strdup_printf(commas == 1 ? _("decimals stand behind a point, not a comma; did you mean \"%s\"?")
+                                    : _("no commas stand between thousands; did you mean \"%s\"?"),
                         meant->str);
     return fail(reader, TINKER_UNITS_ERROR_SYNTAX, comma, message);
 }
@@ -324,7 +325,7 @@ gboolean tinker_quantity_parse(const char *text, TinkerDimension wanted, double 
     const char *comma = end > start ? end : start + strspn(start, "+-");
     if (*comma == ',' && g_ascii_isdigit(comma[1])) return fail_comma(&reader, start, comma);
     if (end == start)
-        return fail(&reader, TINKER_UNITS_ERROR_SYNTAX, start, "a number is expected here, as in 12 or 12 in");
+        return fail(&reader, TINKER_UNITS_ERROR_SYNTAX, start, _("a number is expected here, as in 12 or 12 in"));
 
     g_autofree char *digits = g_strndup(start, (gsize)(end - start));
     const double number = g_ascii_strtod(digits, NULL);
@@ -337,11 +338,11 @@ gboolean tinker_quantity_parse(const char *text, TinkerDimension wanted, double 
     if (!tinker_dimension_equal(unit.dimension, wanted)) {
         g_autofree char *expected = tinker_dimension_describe(wanted);
         g_autofree char *found = tinker_dimension_describe(unit.dimension);
-        g_autofree char *message = g_strdup_printf("%s was expected, \"%s\" is %s", expected, text, found);
+        g_autofree char *message = g_strdup_printf(_("%s was expected, \"%s\" is %s"), expected, text, found);
         return fail(&reader, TINKER_UNITS_ERROR_DIMENSION, unit_start, message);
     }
     const double value = number * unit.factor;
-    if (!isfinite(value)) return fail(&reader, TINKER_UNITS_ERROR_SYNTAX, start, "the number is out of range");
+    if (!isfinite(value)) return fail(&reader, TINKER_UNITS_ERROR_SYNTAX, start, _("the number is out of range"));
     *si = value;
     return TRUE;
 }
