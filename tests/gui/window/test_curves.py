@@ -52,6 +52,17 @@ def test_quantities_of_two_blocks(display):
         check_equal([curve.get("quantity") for curve in curves(app)], ["y"], "quantities after undo")
 
 
+def test_more_can_be_added_to_many(display):
+    """The list is scrolled; what adds to it stays in sight."""
+    many = [{"block": block, "quantity": name} for block in ("Ball", "Stone") for name in ("x", "y", "vx", "vy", "ax", "ay")]
+    with App(display, scene(mass("Ball", 0, 0), mass("Stone", 2, 0), graphs=[{"curves": many}])) as app:
+        dialog = open_dialog(app)
+        _, top, _, height = app.box(dialog)
+        for role, name in (("button", "Add"), ("text", "Expression"), ("check box", "Logarithmic Upwards")):
+            _, y, _, down = app.settled(app.find(role, name, inside=dialog))
+            check(top < y and y + down < top + height, f"{name} from {y} to {y + down} is in the dialog's {height}")
+
+
 def test_quantities_have_the_names_of_all_lists(display):
     """Titles as in menus, not the names in files."""
     with App(display, falling()) as app:
@@ -83,10 +94,12 @@ def test_expression(display):
         entry = app.find("text", "Expression", inside=dialog)
         app.retype(entry, "{Ball.z}^2")
         app.press("Return")
-        wait(lambda: app.look("alert", re.compile("Ball has no quantity"), inside=dialog), "what is wrong with it")
+        wait(lambda: app.look("alert", re.compile("^{Ball.z}: Ball has no quantity.*[.]$", re.DOTALL), inside=dialog),
+             "what is wrong with it")
         app.retype(entry, "{Ball.vy}^2")
         app.press("Return")
         app.find("button", "Remove {Ball.vy}^2", inside=dialog)
+        wait(lambda: entry.text() == "", "room for another one")
         app.click("Remove Ball.y", inside=dialog)
         wait(lambda: app.look("button", "Remove Ball.y", inside=dialog) is None, "the first curve to go")
         close_dialog(app)
