@@ -113,7 +113,8 @@ TinkerQuantityType tinker_scene_quantity_type(const TinkerScene *scene, TinkerBl
     const int32_t place = number - TINKER_IMPLIED_LENGTH;
     if (place < (int32_t)G_N_ELEMENTS(implied)) return implied[place];
     const char *other = tinker_scene_block_name(scene, tinker_quantity_other(number));
-    g_autofree char *id = g_strconcat(DISTANCE_TO, other, NULL), *title = g_strconcat(TINKER_DISTANCE_TITLE, other, NULL);
+    g_autofree char *id = g_strconcat(DISTANCE_TO, other, NULL),
+                    *title = g_strconcat(TINKER_DISTANCE_TITLE, other, NULL);
     return (TinkerQuantityType)TINKER_QUANTITY(0, g_intern_string(id), g_intern_string(title),
                                                "Distance between the centres", TINKER_DIMENSION_LENGTH);
 }
