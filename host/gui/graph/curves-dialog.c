@@ -11,6 +11,7 @@
 #include "gui/text/translate.h"
 #include "gui/widget/choices.h"
 #include "scene/store/quantities.h"
+#include "units/waveform/table-columns.h"
 
 #define WIDTH       540
 #define HEIGHT      440
@@ -214,11 +215,13 @@ static void on_table(GtkNativeDialog *chooser, int response, GtkWindow *window)
     const char *scene = tinker_document_path(dialog->document);
     if (response == GTK_RESPONSE_ACCEPT && path != NULL) {
         g_autoptr(GError) error = NULL;
+        g_autoptr(GArray) rows = g_array_new(FALSE, FALSE, sizeof(double));
         gboolean made;
         g_autofree char *name = table_name_in_scene(scene, path);
         if (name == NULL) name = table_name_of_copy(scene, path);
         const TinkerSceneCurve curve = {.table = name, .column = 1, .axis = 1};
-        if (table_copy_beside(scene, path, name, &made, &error))
+        if (tinker_table_read_column(path, curve.column, rows, &error) &&
+            table_copy_beside(scene, path, name, &made, &error))
             tinker_graph_add_curve(dialog->document, dialog->number, &curve, &error);
         tell(dialog, error);
     }

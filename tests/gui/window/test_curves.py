@@ -88,6 +88,24 @@ def test_what_is_measured_stays_with_other_curves(display):
         wait(lambda: "A: t = 0.1 s" in graph(app).description, "the cursor to be told still")
 
 
+def test_table(display):
+    """One that holds no numbers is refused with its place; another one lies over the curve."""
+    with App(display, falling()) as app:
+        (app.home / "words.csv").write_text("t,y\n0,1\n0.1,x\n")
+        (app.home / "measured.csv").write_text("t,y\n0,1\n0.1,2\n")
+        dialog = open_dialog(app)
+        app.click("Add Table…", inside=dialog)
+        app.open_dialog("Choose a Table", app.home / "words.csv")
+        wait(lambda: app.look("alert", re.compile("words.csv:3:5: the value must be a number"), inside=dialog),
+             "what is wrong with it")
+        app.focus_window()
+        app.click("Add Table…", inside=dialog)
+        app.open_dialog("Choose a Table", app.home / "measured.csv")
+        app.find("button", "Remove measured.csv, 1", inside=dialog)
+        close_dialog(app)
+        check_equal([curve.get("table") for curve in curves(app)], [None, "measured.csv"], "tables in the file")
+
+
 def test_expression(display):
     with App(display, falling()) as app:
         dialog = open_dialog(app)
