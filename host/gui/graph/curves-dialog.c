@@ -163,18 +163,31 @@ static const char *chosen(GtkWidget *list)
     return item != NULL ? gtk_string_object_get_string(GTK_STRING_OBJECT(item)) : NULL;
 }
 
+static void offer(GtkStringList *model, GStrvBuilder *names, TinkerScene *scene, TinkerBlockId block, const char *name)
+{
+    const int32_t number = tinker_scene_find_quantity(scene, block, name);
+    if (number < 0) return; /* "distance to BLOCK" stands for as many as there are blocks */
+    g_strv_builder_add(names, name);
+    gtk_string_list_append(model, tinker_translate(tinker_scene_quantity_type(scene, block, number).title));
+}
+
 static void on_block(Dialog *dialog)
 {
     TinkerScene *scene = tinker_document_scene(dialog->document);
     TinkerBlockId block;
     if (chosen(dialog->block) == NULL || !tinker_scene_find_owner(scene, chosen(dialog->block), &block)) return;
-    g_strfreev(dialog->quantities);
-    dialog->quantities = tinker_scene_quantity_names(scene, block);
     g_autoptr(GtkStringList) model = gtk_string_list_new(NULL);
-    for (char **name = dialog->quantities; *name != NULL; name++) {
-        const int32_t number = tinker_scene_find_quantity(scene, block, *name);
-        gtk_string_list_append(model, tinker_translate(tinker_scene_quantity_type(scene, block, number).title));
+    g_autoptr(GStrvBuilder) names = g_strv_builder_new();
+    g_auto(GStrv) of_class = tinker_scene_quantity_names(scene, block);
+    for (char **name = of_class; *name != NULL; name++)
+        offer(model, names, scene, block, *name);
+    for (int32_t i = 0; block != TINKER_NO_BLOCK && i < tinker_scene_block_count(scene); i++) {
+        const TinkerBlockId other = tinker_scene_block_at(scene, i);
+        g_autofree char *distance = tinker_quantity_distance_to(tinker_scene_block_name(scene, other));
+        if (other != block) offer(model, names, scene, block, distance);
     }
+    g_strfreev(dialog->quantities);
+    dialog->quantities = g_strv_builder_end(names);
     gtk_drop_down_set_model(GTK_DROP_DOWN(dialog->quantity), G_LIST_MODEL(model));
 }
 

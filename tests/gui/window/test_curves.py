@@ -69,6 +69,10 @@ def test_quantities_have_the_names_of_all_lists(display):
         dialog = open_dialog(app)
         add_quantity(app, dialog, "Ball", "Y Velocity")
         app.find("button", re.compile("^Remove Ball.vy"), inside=dialog)
+        app.click(app.find("combo box", "Quantity", inside=dialog))
+        app.press("End", "Return")  # the distances come last, one to each block
+        app.click("Add", inside=dialog)
+        app.find("button", "Remove Ball.distance to Stone", inside=dialog)
         close_dialog(app)
         check_equal(curves(app)[1]["quantity"], "vy", "quantity in the file")
 
