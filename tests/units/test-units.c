@@ -151,6 +151,10 @@ static void test_refused(void)
     /* letters that run together, and powers without a sign; what does not fit is not proposed */
     assert_refused("3 Nm", energy, TINKER_UNITS_ERROR_UNKNOWN, "column 3: unknown unit \"Nm\"; did you mean \"N m\"?");
     assert_refused("3 Nm", length, TINKER_UNITS_ERROR_UNKNOWN, "column 3: unknown unit \"Nm\"; did you mean \"m\"?");
+    assert_refused("3 Nm", mass, TINKER_UNITS_ERROR_UNKNOWN,
+                   "column 3: unknown unit \"Nm\"; did you mean \"kg\", \"g\", \"mg\", \"t\", \"slug\" or \"lb\"?");
+    assert_refused("3 kgm", mass, TINKER_UNITS_ERROR_UNKNOWN,
+                   "column 3: unknown unit \"kgm\"; did you mean \"kg\"?"); /* rather than km, which is as near */
     assert_refused("2 kgm2/s2", energy, TINKER_UNITS_ERROR_UNKNOWN,
                    "column 3: unknown unit \"kgm2\"; did you mean \"kg m^2\"?");
     assert_refused("2 kg m^2/s2", energy, TINKER_UNITS_ERROR_UNKNOWN,

@@ -109,7 +109,7 @@ static char *unit_meant(const UnitReader *reader, const char *start, const char 
     gsize count = 0;
     for (const TinkerUnitEntry *entry = tinker_unit_table; entry->symbol != NULL; entry++) {
         g_assert(count + 1 < G_N_ELEMENTS(candidates));
-        candidates[count++] = entry->symbol;
+        if (may_fit(reader, start, strlen(symbol), entry->symbol)) candidates[count++] = entry->symbol;
     }
     candidates[count] = NULL;
     const char *nearest = tinker_nearest_word(symbol, candidates);
