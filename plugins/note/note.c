@@ -16,7 +16,7 @@ static const TinkerPropertyType properties[] = {
      TINKER_ANY_VALUE(0, -10.0, 10.0)},
     {TINKER_PROPERTY_IN_PANEL(-1, TINKER_KIND_TEXT, "text", "Text", "Note", TINKER_DIMENSION_NONE),
      .description = "What it says; \\n begins a line, and what stands between dollar signs is a formula, as in "
-                    "$omega = sqrt(k/m)$",
+                    "$omega = sqrt(k/m)$ or $F = k*(L - L_0)$",
      .variability = TINKER_TUNABLE, .default_text = "Note"},
     {TINKER_REAL_PROPERTY("size", "Text Size", "Note", TINKER_DIMENSION_NONE),
      .description = "Of its letters: 1 is that of symbols", .variability = TINKER_TUNABLE, .default_value = {1.0, 0.0},

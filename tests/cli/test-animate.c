@@ -48,6 +48,31 @@ static void test_animate_graphs(CliFixture *fixture, gconstpointer data)
     g_assert_cmpuint(b_length, >, c_length + 1000); /* axes, numbers and a curve */
 }
 
+/* A graph without a title is called by its curves: it looks as one that has these words as its title, and otherwise
+ * than one that has others. */
+static void test_animate_graph_titles(CliFixture *fixture, gconstpointer data)
+{
+    static const char *const titles[] = {"", ", \"title\": \"Mass 0: X Position, X Velocity\"", ", \"title\": \"B\""};
+    g_autofree char *members = g_strndup(OSCILLATOR, strlen(OSCILLATOR) - 2);
+    gsize lengths[3];
+    char *pictures[3];
+    for (int i = 0; i < 3; i++) {
+        g_autofree char *name = g_strdup_printf("%d.json", i), *first = g_strdup_printf("%d-0001.png", i);
+        g_autofree char *text = g_strdup_printf("%s, \"graphs\": [{\"curves\": [{\"block\": \"Mass 0\", \"quantity\": "
+                                                "\"x\"}, {\"block\": \"Mass 0\", \"quantity\": \"vx\"}]%s}]}",
+                                                members, titles[i]);
+        g_autofree char *scene = cli_write(fixture, name, text);
+        g_autofree char *words = g_strdup_printf("animate @%d.json --graphs -o @%d.png --fps 10 --duration 0.3", i, i);
+        g_autoptr(TestProgram) film = cli_run_well(fixture, words);
+        g_autofree char *path = cli_path(fixture, first);
+        g_assert_true(g_file_get_contents(path, &pictures[i], &lengths[i], NULL));
+    }
+    g_assert_cmpmem(pictures[0], lengths[0], pictures[1], lengths[1]);
+    g_assert_cmpuint(lengths[2], !=, lengths[0]);
+    for (int i = 0; i < 3; i++)
+        g_free(pictures[i]);
+}
+
 /* A film that cannot be joined is an error, told before anything is run, with what to install; nothing is written. Who
  * asks for the pictures gets them, whatever the output is called and is installed. */
 static void test_animate_without_ffmpeg(CliFixture *fixture, gconstpointer data)
@@ -104,6 +129,7 @@ int main(int argc, char **argv)
     g_test_init(&argc, &argv, NULL);
     cli_test_add("/verbs/animate", test_animate);
     cli_test_add("/verbs/animate-graphs", test_animate_graphs);
+    cli_test_add("/verbs/animate-graph-titles", test_animate_graph_titles);
     cli_test_add("/verbs/animate-without-ffmpeg", test_animate_without_ffmpeg);
     cli_test_add("/verbs/animate-interrupted", test_animate_interrupted);
     return g_test_run();

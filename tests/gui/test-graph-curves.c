@@ -74,6 +74,56 @@ static void set_velocity(GuiFixture *fixture, double upwards)
     gui_fixture_set(fixture, "Mass 0", "velocity", 0, upwards);
 }
 
+/* One quantity of several blocks: the axis tells it, the legend the blocks alone; a table has to tell both. */
+static void test_one_quantity_of_several_blocks(void)
+{
+    static const char members[] =
+        "'run': {'duration': 0.5, 'interval': 0.01}, 'blocks': [{'type': 'gravity', 'name': 'Gravity'}, {'type': "
+        "'mass', 'name': 'Ball', 'position': [0, 0]}, {'type': 'mass', 'name': 'Stone', 'position': [3, 1]}], "
+        "'graphs': [{'curves': [{'block': 'Ball', 'quantity': 'y'}, {'block': 'Stone', 'quantity': 'y'}]}]";
+    g_autofree char *path = g_build_filename(g_get_tmp_dir(), "tinker-several.csv", NULL), *text = NULL;
+    g_autoptr(GuiFixture) fixture = gui_fixture_new("");
+    gui_fixture_start_scene(fixture, members);
+    graph_fixture_run_until(fixture, 0.5);
+    g_autoptr(TinkerGraphData) data = graph_fixture_data(fixture);
+    TinkerPlot plot = {0};
+    tinker_graph_data_fill_plot(data, &plot);
+    g_assert_cmpstr(tinker_graph_data_title(data), ==, "Y Position: Ball, Stone");
+    g_assert_cmpstr(plot.y_label, ==, "Y Position [m]");
+    g_assert_cmpstr(plot.curves[0].label, ==, "Ball");
+    g_assert_cmpstr(plot.curves[1].label, ==, "Stone");
+    g_assert_cmpstr(tinker_graph_data_name(data, 1), ==, "Stone: Y Position");
+    g_assert_true(tinker_graph_data_write_csv(data, path, 5, NULL));
+    g_assert_true(g_file_get_contents(path, &text, NULL, NULL));
+    g_assert_true(g_str_has_prefix(text, "Time,Ball Y Position,Stone Y Position\n"));
+    g_remove(path);
+    g_assert_true(tinker_player_keep(fixture->player));
+    tinker_graph_data_fill_plot(data, &plot);
+    g_assert_cmpstr(plot.curves[2].label, ==, "Ball (Run 1)");
+}
+
+/* The only run that is kept is called by what was changed since, in a table as in the legend. */
+static void test_first_kept_run(void)
+{
+    g_autofree char *path = g_build_filename(g_get_tmp_dir(), "tinker-first.csv", NULL), *text = NULL;
+    g_autoptr(GuiFixture) fixture = graph_fixture_fall("SI", "{'block': 'Mass 0', 'quantity': 'y'}");
+    g_autoptr(TinkerGraphData) data = graph_fixture_data(fixture);
+    graph_fixture_run_until(fixture, 0.5);
+    g_assert_true(tinker_player_keep(fixture->player));
+    gui_fixture_set(fixture, "Mass 0", "velocity", 0, 1);
+    graph_fixture_run_until(fixture, 0.5);
+    tinker_graph_data_set_graph(data,
+                                g_ptr_array_index(tinker_scene_graphs(tinker_document_scene(fixture->document)), 0));
+    tinker_graph_data_catch_up(data);
+    g_assert_true(tinker_graph_data_write_csv(data, path, 5, NULL));
+    g_assert_true(g_file_get_contents(path, &text, NULL, NULL));
+    g_assert_true(g_str_has_prefix(text, "Time,Y Position,Time,Mass 0.y (Mass 0: Vy 0 m/s)\n"));
+    g_remove(path);
+    TinkerKeptRuns *kept = tinker_player_kept(fixture->player);
+    tinker_kept_runs_rename(kept, 0, "  ");
+    g_assert_cmpstr(tinker_graph_data_run(data, 1), ==, "Mass 0: Vy 0 m/s");
+}
+
 /* Runs that are kept stay beside the next ones, with what was changed for a name: y = v t - g t^2 / 2 of each v. */
 static void test_kept_runs(void)
 {
@@ -215,6 +265,8 @@ static void test_energy(void)
 static void add_tests(void)
 {
     g_test_add_func("/gui/graph-data/several-curves", test_several_curves);
+    g_test_add_func("/gui/graph-data/one-quantity-of-several-blocks", test_one_quantity_of_several_blocks);
+    g_test_add_func("/gui/graph-data/first-kept-run", test_first_kept_run);
     g_test_add_func("/gui/graph-data/kept-runs", test_kept_runs);
     g_test_add_func("/gui/graph-data/energy", test_energy);
 }

@@ -155,6 +155,24 @@ static void test_spans(void)
     }
 }
 
+/* The ghost of a run that is kept has its amplitude as the span from its first picture on. */
+static void test_spans_of_a_kept_run(void)
+{
+    g_autoptr(PlayerFixture) fixture =
+        player_fixture_new("'run': {'duration': 4, 'interval': 0.01}, 'blocks': [" SLOT_BLOCKS);
+    player_play(fixture);
+    player_wait_until(fixture, 4);
+    g_assert_true(tinker_player_keep(fixture->player));
+    TinkerKeptRun *kept = tinker_kept_runs_at(tinker_player_kept(fixture->player), 0);
+    for (int i = 0; i < 4; i++) {
+        TinkerFrame *frame = tinker_kept_run_frame(kept, i);
+        TinkerInstance instance;
+        g_assert_true(tinker_frame_instance(frame, tinker_scene_find_block(kept->scene, "G"), &instance));
+        player_assert_close(instance.span, 0.5, 0.5 * (1 - cos(OMEGA * 0.005)) + CLOSE);
+        player_assert_close(fabs(instance.end[1].x - instance.end[0].x), fabs(0.5 * sin(OMEGA * i)), CLOSE);
+    }
+}
+
 /* With a spring of hundred times the stiffness from t = 0.1 s on, where x = sin(0.5)/2, it never comes as far as it
  * would have: of the run that was recorded up to its end nothing beyond that time stays. It is told while time stands
  * still. */
@@ -273,6 +291,7 @@ static void add_tests(void)
     g_test_add_func("/player/speed", test_speed);
     g_test_add_func("/player/step-and-seek", test_step_and_seek);
     g_test_add_func("/player/spans", test_spans);
+    g_test_add_func("/player/spans-of-a-kept-run", test_spans_of_a_kept_run);
     g_test_add_func("/player/spans-of-another-future", test_spans_of_another_future);
     g_test_add_func("/player/steps-in-a-row", test_steps_in_a_row);
     g_test_add_func("/player/series", test_series);

@@ -4,12 +4,15 @@
 #include "analysis/start/advice.h"
 #include "german.h"
 #include "gui-fixture.h"
+#include "gui/text/sentence.h"
 #include "physics/compile/compile.h"
 #include "physics/model/model.h"
 #include "physics/plan/islands.h"
 #include "physics/plan/plan.h"
 #include "physics/plan/run-options.h"
 #include "physics/run/simulation.h"
+#include "scene/store/scene-expression.h"
+#include "units/quantity/units.h"
 
 /* k = 100 N/m and m = 1 kg swing at 10 rad/s, and rk4 is stable up to sqrt(8)/10 s = 0.283 s. */
 #define OSCILLATOR                                                                                                     \
@@ -101,6 +104,33 @@ static void test_run(void)
         g_assert_null(strstr(g_ptr_array_index(warnings, i), " step"));
 }
 
+static void assert_fault(TinkerScene *scene, const char *expression, const char *expected)
+{
+    g_autoptr(GError) error = NULL;
+    int column;
+    g_assert_null(tinker_scene_expression_new(scene, expression, &error));
+    g_assert_cmpstr(tinker_without_column(error->message, &column), ==, expected);
+    g_assert_cmpint(column, >, 0);
+}
+
+/* What is wrong with what is typed: the column is taken off, the rest is a sentence. */
+static void test_typed(void)
+{
+    g_autoptr(GuiFixture) fixture = gui_fixture_new("{'type': 'mass', 'position': [0, 2]}");
+    TinkerScene *scene = tinker_document_scene(fixture->document);
+    assert_fault(scene, "{Mas 0.y}", "{Mas 0.y}: es gibt keinen Baustein „Mas 0“; ist „Mass 0“ gemeint?");
+    assert_fault(scene, "{Mass 0.vz}", "{Mass 0.vz}: Mass 0 hat keine Größe oder Eigenschaft „vz“; ist „vx“ gemeint?");
+    assert_fault(scene, "2 t", "vor \"t\" fehlt ein Rechenzeichen; ist ein Produkt gemeint, *?");
+    assert_fault(scene, "2*", "erwartet wird eine Zahl, t, eine Funktion oder „(“, nicht das Ende");
+    assert_fault(scene, "sin(t, 2)", "sin braucht 1 Argument: sin(x)");
+    g_autoptr(GError) torque = NULL, length = NULL;
+    double value;
+    g_assert_false(tinker_quantity_parse("3 Nm", (TinkerDimension){1, 2, -2, 0}, &value, &torque));
+    g_assert_cmpstr(torque->message, ==, "column 3: unbekannte Einheit „Nm“; ist „N m“ gemeint?");
+    g_assert_false(tinker_quantity_parse("3 kg", (TinkerDimension){0, 1, 0, 0}, &value, &length));
+    g_assert_cmpstr(length->message, ==, "column 3: erwartet war eine Länge (m), „3 kg“ ist eine Masse (kg)");
+}
+
 static char *output_of_plan(const char *path, const char *locale)
 {
     const char *plan[] = {g_getenv("TINKER_PROGRAM"), "plan", path, "--method", "rk4", "--step", "0.3", NULL};
@@ -127,6 +157,7 @@ static void add_tests(void)
     g_test_add_func("/gui/translated-sentences/advice", test_advice);
     g_test_add_func("/gui/translated-sentences/plan", test_plan);
     g_test_add_func("/gui/translated-sentences/run", test_run);
+    g_test_add_func("/gui/translated-sentences/typed", test_typed);
     g_test_add_func("/gui/translated-sentences/command-line", test_command_line_stays_english);
 }
 

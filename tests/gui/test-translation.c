@@ -30,8 +30,19 @@ static void test_descriptor_texts(void)
     g_assert_cmpstr(tinker_translate("Undeformed Length"), ==, "Ungedehnte Länge");
     g_assert_cmpstr(tinker_translate("Spring-mass system"), ==, "Feder-Masse-System");
     g_assert_cmpstr(tinker_translate("Flux Capacitor"), ==, "Flux Capacitor");
+    g_assert_cmpstr(tinker_translate("Distance to Mass"), ==, "Abstand zu Mass"); /* the user's name stays */
     g_assert_cmpstr(tinker_translate(""), ==, "");
     g_assert_null(tinker_translate(NULL));
+}
+
+/* A bundled scene is called in the title of the window as in the gallery; the scene keeps its title. */
+static void test_name_of_a_bundled_scene(void)
+{
+    g_autoptr(GuiFixture) fixture = gui_fixture_new("");
+    gui_fixture_start_scene(fixture, "'title': 'Spring-mass system', 'blocks': []");
+    g_autofree char *name = tinker_document_name(fixture->document);
+    g_assert_cmpstr(name, ==, "Feder-Masse-System");
+    g_assert_cmpstr(tinker_scene_head(tinker_document_scene(fixture->document))->title, ==, "Spring-mass system");
 }
 
 /* The panel and the outline are German; what a scene holds is not. */
@@ -256,6 +267,7 @@ static void add_tests(void)
 {
     g_test_add_func("/gui/translation/words-of-equations", test_words_of_equations);
     g_test_add_func("/gui/translation/descriptors", test_descriptor_texts);
+    g_test_add_func("/gui/translation/name-of-a-bundled-scene", test_name_of_a_bundled_scene);
     g_test_add_func("/gui/translation/mistakes", test_mistakes);
     g_test_add_func("/gui/translation/topics", test_topics);
     g_test_add_func("/gui/translation/scene", test_scene_stays_english);

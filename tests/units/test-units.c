@@ -7,6 +7,7 @@
 
 static const TinkerDimension mass = {1, 0, 0, 0}, length = {0, 1, 0, 0}, angle = {0, 0, 0, 1};
 static const TinkerDimension plain = {0, 0, 0, 0}, stiffness = {1, 0, -2, 0}, turning = {0, 0, -1, 1};
+static const TinkerDimension energy = {1, 2, -2, 0};
 
 static double parse(const char *text, TinkerDimension dimension)
 {
@@ -147,6 +148,29 @@ static void test_refused(void)
     assert_refused("1 slgu", mass, TINKER_UNITS_ERROR_UNKNOWN,
                    "column 3: unknown unit \"slgu\"; did you mean \"slug\"?");
     assert_refused("1 N/M", stiffness, TINKER_UNITS_ERROR_UNKNOWN, "column 5: unknown unit \"M\"; did you mean \"m\"?");
+    /* letters that run together, and powers without a sign; what does not fit is not proposed */
+    assert_refused("3 Nm", energy, TINKER_UNITS_ERROR_UNKNOWN, "column 3: unknown unit \"Nm\"; did you mean \"N m\"?");
+    assert_refused("3 Nm", length, TINKER_UNITS_ERROR_UNKNOWN, "column 3: unknown unit \"Nm\"; did you mean \"m\"?");
+    assert_refused("3 Nm", mass, TINKER_UNITS_ERROR_UNKNOWN,
+                   "column 3: unknown unit \"Nm\"; did you mean \"kg\", \"g\", \"mg\", \"t\", \"slug\" or \"lb\"?");
+    assert_refused("3 kgm", mass, TINKER_UNITS_ERROR_UNKNOWN,
+                   "column 3: unknown unit \"kgm\"; did you mean \"kg\"?"); /* rather than km, which is as near */
+    assert_refused("2 kgm2/s2", energy, TINKER_UNITS_ERROR_UNKNOWN,
+                   "column 3: unknown unit \"kgm2\"; did you mean \"kg m^2\"?");
+    assert_refused("2 kg m^2/s2", energy, TINKER_UNITS_ERROR_UNKNOWN,
+                   "column 10: unknown unit \"s2\"; did you mean \"s^2\"?");
+    assert_refused("2 Nms/rad", (TinkerDimension){1, 2, -1, -1}, TINKER_UNITS_ERROR_UNKNOWN,
+                   "column 3: unknown unit \"Nms\"; did you mean \"N m s\"?");
+    assert_refused("2 kg/ss", stiffness, TINKER_UNITS_ERROR_UNKNOWN,
+                   "column 6: unknown unit \"ss\"; did you mean \"s/s\"?");
+    assert_refused("2 kg/s2", stiffness, TINKER_UNITS_ERROR_UNKNOWN,
+                   "column 6: unknown unit \"s2\"; did you mean \"s^2\"?");
+    assert_refused("1,5 kg", mass, TINKER_UNITS_ERROR_SYNTAX,
+                   "column 2: decimals stand behind a point, not a comma; did you mean \"1.5\"?");
+    assert_refused("-,5 kg", mass, TINKER_UNITS_ERROR_SYNTAX,
+                   "column 2: decimals stand behind a point, not a comma; did you mean \"-.5\"?");
+    assert_refused("1,500,000 kg", mass, TINKER_UNITS_ERROR_SYNTAX,
+                   "column 2: no commas stand between thousands; did you mean \"1500000\"?");
     assert_refused("1 °x", angle, TINKER_UNITS_ERROR_UNKNOWN, NULL);
     assert_refused("12 in", mass, TINKER_UNITS_ERROR_DIMENSION,
                    "column 4: a mass (kg) was expected, \"12 in\" is a length (m)");

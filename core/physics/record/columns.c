@@ -94,7 +94,11 @@ static gboolean unknown_quantity(TinkerScene *scene, TinkerBlockId block, const 
     g_auto(GStrv) names = tinker_scene_quantity_names(scene, block);
     const char *other = tinker_quantity_other_name(quantity);
     const char *nearest = other == NULL ? tinker_nearest_word(quantity, (const char *const *)names) : NULL;
-    g_autofree char *guess = nearest != NULL ? g_strdup_printf("; did you mean \"%s\"?", nearest) : g_strdup("");
+    const gboolean is_reckoned = nearest == NULL && other == NULL && strpbrk(quantity, "+*/^<>=") != NULL;
+    g_autofree char *guess =
+        nearest != NULL
+            ? g_strdup_printf("; did you mean \"%s\"?", nearest)
+            : g_strdup(is_reckoned ? "; in an expression quantities stand in braces, as in {Mass 0.x}*2" : "");
     g_autofree char *pair =
         other != NULL ? g_strdup_printf(", as \"%s\" is not another block with a place", other) : g_strdup("");
     g_set_error(error, TINKER_SCENE_ERROR, TINKER_SCENE_ERROR_NAME,

@@ -42,6 +42,9 @@ static TinkerText plain_text(const Part *part, double size)
     return (TinkerText){.text = part->text, .size = size};
 }
 
+/* What is no formula in the grammar is written as it was typed, dollar signs and all: so it can be seen that it is
+ * none.
+ */
 static void add_part(Line *line, TinkerTextPen *pen, const char *text, gsize length, gboolean is_formula, double size)
 {
     if (length == 0) return;
@@ -52,6 +55,10 @@ static void add_part(Line *line, TinkerTextPen *pen, const char *text, gsize len
     if (part.formula != NULL) {
         tinker_math_text_measure(part.formula, &part.width, &above, &below);
     } else {
+        if (is_formula) {
+            g_free(part.text);
+            part.text = g_strndup(text - 1, length + 2);
+        }
         const TinkerText plain = plain_text(&part, size);
         tinker_text_measure_ink(pen, &plain, &part.width, &above, &below);
     }

@@ -522,6 +522,14 @@ gboolean tinker_frame_note_spans(TinkerFrame *frame)
     return grew;
 }
 
+void tinker_frame_note_spans_of(TinkerFrame *frame, const TinkerFrame *other)
+{
+    int32_t count;
+    const TinkerBlockId *blocks = tinker_spans_blocks(frame->spans, &count);
+    for (int32_t i = 0; i < count; i++)
+        tinker_spans_note(frame->spans, blocks[i], tinker_spans_of(other->spans, blocks[i]));
+}
+
 void tinker_frame_forget_spans(TinkerFrame *frame)
 {
     tinker_spans_forget(frame->spans);

@@ -47,10 +47,11 @@ gboolean tinker_frame_leaves_paths(const TinkerFrame *frame);
 void tinker_frame_note_paths(TinkerFrame *frame);
 
 /* Whether any block has a span (TINKER_HAS_SPAN); notes how far the ends of those are apart now, which instances show
- * from then on whatever the time, and answers whether any was never so far; and forgets all that was noted, for another
- * run. */
+ * from then on whatever the time, and answers whether any was never so far; notes what was noted of another frame,
+ * whose scene is that one's or a copy; and forgets all that was noted, for another run. */
 gboolean tinker_frame_has_spans(const TinkerFrame *frame);
 gboolean tinker_frame_note_spans(TinkerFrame *frame);
+void tinker_frame_note_spans_of(TinkerFrame *frame, const TinkerFrame *other);
 void tinker_frame_forget_spans(TinkerFrame *frame);
 
 /* Where a block's centre is; NAN for a block that has neither place nor ends. */

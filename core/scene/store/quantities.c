@@ -73,6 +73,11 @@ static gboolean is_implied(const TinkerBlockClass *block_class, int32_t number)
     return has_two_ends(block_class);
 }
 
+char *tinker_quantity_distance_to(const char *other)
+{
+    return g_strconcat(DISTANCE_TO, other, NULL);
+}
+
 const char *tinker_quantity_other_name(const char *id)
 {
     return g_str_has_prefix(id, DISTANCE_TO) ? id + strlen(DISTANCE_TO) : NULL;
@@ -81,7 +86,7 @@ const char *tinker_quantity_other_name(const char *id)
 char *tinker_quantity_renamed(const char *id, const char *from, const char *to)
 {
     const char *other = tinker_quantity_other_name(id);
-    return other != NULL && strcmp(other, from) == 0 ? g_strconcat(DISTANCE_TO, to, NULL) : NULL;
+    return other != NULL && strcmp(other, from) == 0 ? tinker_quantity_distance_to(to) : NULL;
 }
 
 static int32_t find_distance(const TinkerScene *scene, TinkerBlockId block, const char *id)
@@ -113,7 +118,7 @@ TinkerQuantityType tinker_scene_quantity_type(const TinkerScene *scene, TinkerBl
     const int32_t place = number - TINKER_IMPLIED_LENGTH;
     if (place < (int32_t)G_N_ELEMENTS(implied)) return implied[place];
     const char *other = tinker_scene_block_name(scene, tinker_quantity_other(number));
-    g_autofree char *id = g_strconcat(DISTANCE_TO, other, NULL), *title = g_strconcat("Distance to ", other, NULL);
+    g_autofree char *id = tinker_quantity_distance_to(other), *title = g_strconcat(TINKER_DISTANCE_TITLE, other, NULL);
     return (TinkerQuantityType)TINKER_QUANTITY(0, g_intern_string(id), g_intern_string(title),
                                                "Distance between the centres", TINKER_DIMENSION_LENGTH);
 }

@@ -19,6 +19,9 @@ enum {
     TINKER_IMPLIED_DISTANCE = 0x1000000, /* m: between the centres; the other block's id is added to it */
 };
 
+/* What the title of a distance begins with; the other block's name follows. */
+#define TINKER_DISTANCE_TITLE "Distance to "
+
 /* Numbers of the scene's quantities. */
 typedef enum {
     TINKER_SCENE_KINETIC,    /* J */
@@ -61,6 +64,9 @@ static inline TinkerBlockId tinker_quantity_other(int32_t number)
 {
     return number >= TINKER_IMPLIED_DISTANCE ? number - TINKER_IMPLIED_DISTANCE : TINKER_NO_BLOCK;
 }
+
+/* The name of the distance to a block of this name, "distance to Mass 1". (transfer full) */
+char *tinker_quantity_distance_to(const char *other);
 
 /* The name of the other block in the name of a distance, "distance to Mass 1"; NULL where it is none. */
 const char *tinker_quantity_other_name(const char *id);

@@ -1,6 +1,7 @@
 /* Names in braces are found while the text is parsed, so that what is wrong with one has a column. */
 #include "scene/store/scene-expression.h"
 
+#include <glib/gi18n-lib.h>
 #include <string.h>
 
 static gboolean is_number(const TinkerPropertyType *property)
@@ -18,8 +19,8 @@ static char *unknown_block(const TinkerScene *scene, const char *name)
     const char *dot = strrchr(name, '.');
     g_autofree char *block = dot != NULL ? g_strndup(name, (gsize)(dot - name)) : g_strdup(name);
     const char *nearest = tinker_nearest_word(block, (const char *const *)names->pdata);
-    if (nearest != NULL) return g_strdup_printf("there is no block \"%s\"; did you mean \"%s\"?", block, nearest);
-    return g_strdup_printf("there is no block \"%s\" (in braces stands BLOCK.QUANTITY, as in {Mass 0.x})", block);
+    if (nearest != NULL) return g_strdup_printf(_("there is no block \"%s\"; did you mean \"%s\"?"), block, nearest);
+    return g_strdup_printf(_("there is no block \"%s\" (in braces stands BLOCK.QUANTITY, as in {Mass 0.x})"), block);
 }
 
 static char *unknown_quantity(const TinkerScene *scene, TinkerBlockId block, const char *name)
@@ -33,9 +34,9 @@ static char *unknown_quantity(const TinkerScene *scene, TinkerBlockId block, con
     g_auto(GStrv) known = g_strv_builder_end(builder);
     g_autofree char *list = g_strjoinv(", ", known);
     const char *nearest = tinker_nearest_word(name, (const char *const *)known);
-    g_autofree char *guess =
-        nearest != NULL ? g_strdup_printf("; did you mean \"%s\"?", nearest) : g_strdup_printf(" (it has %s)", list);
-    return g_strdup_printf("%s has no quantity or property \"%s\"%s", tinker_scene_owner_name(scene, block), name,
+    g_autofree char *guess = nearest != NULL ? g_strdup_printf(_("; did you mean \"%s\"?"), nearest)
+                                             : g_strdup_printf(_(" (it has %s)"), list);
+    return g_strdup_printf(_("%s has no quantity or property \"%s\"%s"), tinker_scene_owner_name(scene, block), name,
                            guess);
 }
 

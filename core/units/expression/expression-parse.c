@@ -7,6 +7,7 @@
  *     primary    = number | name | "{" quantity "}" | "t" | "pi" | function "(" comparison { "," comparison } ")" | "("
  * comparison ")" What is made of it, instructions or a tree, is the reader's affair. Depth and length are limited, so
  * no text can exhaust the stack or the memory. */
+#include <glib/gi18n-lib.h>
 #include <math.h>
 #include <string.h>
 
@@ -83,7 +84,7 @@ static gsize name_length(const char *at)
 /* What stands at `at`, quoted for a message: a name, a number, a character, or "the end". (transfer full) */
 static char *quote(const char *at)
 {
-    if (*at == '\0') return g_strdup("the end");
+    if (*at == '\0') return g_strdup(_("the end"));
     gsize length = name_length(at);
     if (length == 0) length = (gsize)(g_utf8_next_char(at) - at);
     return g_strdup_printf("\"%.*s%s\"", (int)MIN(length, LONGEST_NAME), at, length > LONGEST_NAME ? "..." : "");
@@ -94,25 +95,35 @@ static int fail_unexpected(Parser *parser, const char *expected)
 {
     static const struct {
         const char *written, *meant;
-    } signs[] = {{"−", "-"},  {"–", "-"},  {"×", "*"},  {"·", "*"},         {"÷", "/"},         {"≤", "<="},
-                 {"≥", ">="}, {"≠", "!="}, {"=", "=="}, {"%", "mod(a, b)"}, {"&", "a product"}, {"|", "max(a, b)"}};
+    } signs[] = {{"−", "-"},
+                 {"–", "-"},
+                 {"×", "*"},
+                 {"·", "*"},
+                 {"÷", "/"},
+                 {"≤", "<="},
+                 {"≥", ">="},
+                 {"≠", "!="},
+                 {"=", "=="},
+                 {"%", "mod(a, b)"},
+                 {"&", N_("a product")},
+                 {"|", "max(a, b)"}};
     skip_blanks(parser);
     g_autofree char *found = quote(parser->at);
     for (gsize i = 0; i < G_N_ELEMENTS(signs); i++)
         if (g_str_has_prefix(parser->at, signs[i].written))
-            return fail(parser, TINKER_WAVEFORM_ERROR_SYNTAX, parser->at, "%s is not known; did you mean %s?", found,
-                        signs[i].meant);
-    return fail(parser, TINKER_WAVEFORM_ERROR_SYNTAX, parser->at, "%s is expected, not %s", expected, found);
+            return fail(parser, TINKER_WAVEFORM_ERROR_SYNTAX, parser->at, _("%s is not known; did you mean %s?"), found,
+                        _(signs[i].meant));
+    return fail(parser, TINKER_WAVEFORM_ERROR_SYNTAX, parser->at, _("%s is expected, not %s"), expected, found);
 }
 
 static gboolean enter(Parser *parser)
 {
     if (++parser->depth > DEEPEST) {
-        fail(parser, TINKER_WAVEFORM_ERROR_SYNTAX, parser->at, "nested more than %d levels deep", DEEPEST);
+        fail(parser, TINKER_WAVEFORM_ERROR_SYNTAX, parser->at, _("nested more than %d levels deep"), DEEPEST);
         return FALSE;
     }
     if (parser->reader->has_room(parser->into)) return TRUE;
-    fail(parser, TINKER_WAVEFORM_ERROR_SYNTAX, parser->at, "the expression is too long");
+    fail(parser, TINKER_WAVEFORM_ERROR_SYNTAX, parser->at, _("the expression is too long"));
     return FALSE;
 }
 
@@ -131,10 +142,10 @@ static int parse_number(Parser *parser)
     const double number = g_ascii_strtod(digits, &read);
     if (*read != '\0' || strcmp(digits, ".") == 0) {
         parser->at = start + (read - digits);
-        return fail_unexpected(parser, "a number such as 1.5");
+        return fail_unexpected(parser, _("a number such as 1.5"));
     }
     if (!isfinite(number))
-        return fail(parser, TINKER_WAVEFORM_ERROR_SYNTAX, start, "the number is larger than 1.8e308");
+        return fail(parser, TINKER_WAVEFORM_ERROR_SYNTAX, start, _("the number is larger than 1.8e308"));
     parser->at = end;
     return parser->reader->number(parser->into, number);
 }
@@ -157,9 +168,10 @@ static int fail_name(Parser *parser, const char *start, const char *name)
     g_autofree char *quoted = quote(start);
     const char *nearest = tinker_nearest_word(name, (const char *const *)candidates->pdata);
     if (nearest != NULL)
-        return fail(parser, TINKER_WAVEFORM_ERROR_UNKNOWN_NAME, start, "unknown name %s; did you mean \"%s\"?", quoted,
-                    nearest);
-    return fail(parser, TINKER_WAVEFORM_ERROR_UNKNOWN_NAME, start, "unknown name %s; known are %s", quoted, all->str);
+        return fail(parser, TINKER_WAVEFORM_ERROR_UNKNOWN_NAME, start, _("unknown name %s; did you mean \"%s\"?"),
+                    quoted, nearest);
+    return fail(parser, TINKER_WAVEFORM_ERROR_UNKNOWN_NAME, start, _("unknown name %s; known are %s"), quoted,
+                all->str);
 }
 
 static int parse_branch(Parser *parser, int truth, gboolean taken)
@@ -179,8 +191,10 @@ static gboolean parse_arguments(Parser *parser, const TinkerFunction *function, 
     do {
         const char *start = parser->at;
         if (count == function->arguments) {
-            fail(parser, TINKER_WAVEFORM_ERROR_SYNTAX, start, "%s takes %d argument%s: %s", function->name,
-                 function->arguments, function->arguments > 1 ? "s" : "", function->form);
+            fail(parser, TINKER_WAVEFORM_ERROR_SYNTAX, start,
+                 g_dngettext(GETTEXT_PACKAGE, "%s takes %d argument: %s", "%s takes %d arguments: %s",
+                             (gulong)function->arguments),
+                 function->name, function->arguments, function->form);
             return FALSE;
         }
         const int value =
@@ -190,12 +204,14 @@ static gboolean parse_arguments(Parser *parser, const TinkerFunction *function, 
         count++;
     } while (accept(parser, ","));
     if (count < function->arguments && (skip_blanks(parser), *parser->at == ')')) {
-        fail(parser, TINKER_WAVEFORM_ERROR_SYNTAX, parser->at, "%s takes %d arguments: %s", function->name,
-             function->arguments, function->form);
+        fail(parser, TINKER_WAVEFORM_ERROR_SYNTAX, parser->at,
+             g_dngettext(GETTEXT_PACKAGE, "%s takes %d argument: %s", "%s takes %d arguments: %s",
+                         (gulong)function->arguments),
+             function->name, function->arguments, function->form);
         return FALSE;
     }
     if (accept(parser, ")")) return TRUE;
-    fail_unexpected(parser, "an operator, \",\" or \")\"");
+    fail_unexpected(parser, _("an operator, \",\" or \")\""));
     return FALSE;
 }
 
@@ -203,7 +219,7 @@ static int parse_call(Parser *parser, const TinkerFunction *function, const char
 {
     int arguments[TINKER_MOST_ARGUMENTS];
     if (!accept(parser, "("))
-        return fail(parser, TINKER_WAVEFORM_ERROR_SYNTAX, start, "%s is a function, write %s", function->name,
+        return fail(parser, TINKER_WAVEFORM_ERROR_SYNTAX, start, _("%s is a function, write %s"), function->name,
                     function->form);
     if (!parse_arguments(parser, function, arguments)) return FAILED;
     return parser->reader->function(parser->into, function, arguments);
@@ -228,8 +244,9 @@ static int parse_reference(Parser *parser)
     const char *start = parser->at, *end = strchr(start, '}');
     g_autofree char *why = NULL;
     if (parser->refer == NULL)
-        return fail(parser, TINKER_WAVEFORM_ERROR_SYNTAX, start, "quantities in braces are not known here, only t");
-    if (end == NULL) return fail(parser, TINKER_WAVEFORM_ERROR_SYNTAX, start, "\"{\" is not closed (as in {Mass 0.x})");
+        return fail(parser, TINKER_WAVEFORM_ERROR_SYNTAX, start, _("quantities in braces are not known here, only t"));
+    if (end == NULL)
+        return fail(parser, TINKER_WAVEFORM_ERROR_SYNTAX, start, _("\"{\" is not closed (as in {Mass 0.x})"));
     g_autofree char *symbol = g_strndup(start, (gsize)(end + 1 - start));
     if (!parser->refer(symbol, parser->data, &why))
         return fail(parser, TINKER_WAVEFORM_ERROR_UNKNOWN_NAME, start, "%s: %s", symbol, why);
@@ -243,10 +260,10 @@ static int parse_primary(Parser *parser)
     if (*parser->at == '{') return parse_reference(parser);
     if (g_ascii_isdigit(*parser->at) || *parser->at == '.') return parse_number(parser);
     if (g_ascii_isalpha(*parser->at) || *parser->at == '_' || name_length(parser->at) > 0) return parse_name(parser);
-    if (!accept(parser, "(")) return fail_unexpected(parser, "a number, t, a function or \"(\"");
+    if (!accept(parser, "(")) return fail_unexpected(parser, _("a number, t, a function or \"(\""));
     const int value = parse_comparison(parser);
     if (value == FAILED || accept(parser, ")")) return value;
-    return fail_unexpected(parser, "an operator or \")\"");
+    return fail_unexpected(parser, _("an operator or \")\""));
 }
 
 static int parse_power(Parser *parser)
@@ -319,7 +336,7 @@ static int parse_comparison(Parser *parser)
     const char *behind = parser->at;
     if (accept_comparison(parser) >= 0)
         return fail(parser, TINKER_WAVEFORM_ERROR_SYNTAX, behind,
-                    "comparisons do not chain; did you mean a product, (a < b)*(b < c)?");
+                    _("comparisons do not chain; did you mean a product, (a < b)*(b < c)?"));
     return parser->reader->comparison(parser->into, (TinkerComparison)sign, a, b);
 }
 
@@ -328,14 +345,14 @@ static int fail_behind(Parser *parser)
 {
     if (*parser->at == ',')
         return fail(parser, TINKER_WAVEFORM_ERROR_SYNTAX, parser->at,
-                    "a comma stands between the arguments of a function only; decimals have a point, as in 3.5");
-    if (*parser->at == ')') return fail(parser, TINKER_WAVEFORM_ERROR_SYNTAX, parser->at, "\")\" closes no bracket");
+                    _("a comma stands between the arguments of a function only; decimals have a point, as in 3.5"));
+    if (*parser->at == ')') return fail(parser, TINKER_WAVEFORM_ERROR_SYNTAX, parser->at, _("\")\" closes no bracket"));
     if (*parser->at == '(' || g_ascii_isalnum(*parser->at)) {
         g_autofree char *found = quote(parser->at);
         return fail(parser, TINKER_WAVEFORM_ERROR_SYNTAX, parser->at,
-                    "an operator is expected before %s; did you mean a product, *?", found);
+                    _("an operator is expected before %s; did you mean a product, *?"), found);
     }
-    return fail_unexpected(parser, "an operator or the end");
+    return fail_unexpected(parser, _("an operator or the end"));
 }
 
 static gboolean check_text(Parser *parser)
@@ -347,7 +364,7 @@ static gboolean check_text(Parser *parser)
         return FALSE;
     }
     if (g_utf8_validate(parser->text, -1, &end)) return TRUE;
-    fail(parser, TINKER_WAVEFORM_ERROR_SYNTAX, end, "the text is not UTF-8 here");
+    fail(parser, TINKER_WAVEFORM_ERROR_SYNTAX, end, _("the text is not UTF-8 here"));
     return FALSE;
 }
 

@@ -1,6 +1,8 @@
 /* Dimensions: comparing and naming them, and the units that their values are shown in. What the table has no entry for
  * is put together from base units: "kg m^3/s". */
+#include <glib/gi18n-lib.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "units/quantity/units-private.h"
 
@@ -83,14 +85,14 @@ const char *tinker_unit_si_symbol(TinkerDimension dimension)
 const char *tinker_dimension_name(TinkerDimension dimension)
 {
     const TinkerDimensionEntry *entry = tinker_dimension_lookup(dimension);
-    return entry != NULL ? entry->name : tinker_unit_si_symbol(dimension);
+    return entry != NULL ? strchr(entry->phrase, ' ') + 1 : tinker_unit_si_symbol(dimension);
 }
 
 char *tinker_dimension_describe(TinkerDimension dimension)
 {
     const TinkerDimensionEntry *entry = tinker_dimension_lookup(dimension);
     const char *symbol = tinker_unit_si_symbol(dimension);
-    if (entry == NULL) return g_strdup_printf("a value in %s", symbol);
-    if (*symbol == '\0') return g_strdup_printf("%s %s", entry->article, entry->name);
-    return g_strdup_printf("%s %s (%s)", entry->article, entry->name, symbol);
+    if (entry == NULL) return g_strdup_printf(_("a value in %s"), symbol);
+    if (*symbol == '\0') return g_strdup(_(entry->phrase));
+    return g_strdup_printf("%s (%s)", _(entry->phrase), symbol);
 }

@@ -4,6 +4,7 @@
  * English factors follow from four exact ones: the inch of 0.0254 m, the pound of 0.45359237 kg (international yard and
  * pound agreement, 1959), standard gravity 9.80665 m/s^2 (CGPM 1901) and the second. All else is computed from them by
  * the compiler, so no rounded constant enters. */
+#include <glib/gi18n-lib.h>
 #include <string.h>
 
 #include "units/quantity/units-private.h"
@@ -43,7 +44,7 @@ const TinkerUnitEntry *tinker_unit_lookup(const char *symbol)
 
 const TinkerDimensionEntry *tinker_dimension_lookup(TinkerDimension dimension)
 {
-    for (const TinkerDimensionEntry *entry = tinker_dimension_table; entry->name != NULL; entry++)
+    for (const TinkerDimensionEntry *entry = tinker_dimension_table; entry->phrase != NULL; entry++)
         if (tinker_dimension_equal(entry->dimension, dimension)) return entry;
     return NULL;
 }
@@ -92,30 +93,30 @@ const TinkerUnitEntry tinker_unit_table[] = {
 };
 
 const TinkerDimensionEntry tinker_dimension_table[] = {
-    {MASS, "a", "mass", "kg", "slug"},
-    {LENGTH, "a", "length", "m", "ft"},
-    {TIME, "a", "time", "s", "s"},
-    {ANGLE, "an", "angle", "deg", "deg"},
-    {SPEED, "a", "velocity", "m/s", "ft/s"},
-    {ACCELERATION, "an", "acceleration", "m/s²", "ft/s²"},
-    {TURNING, "an", "angular velocity", "rad/s", "rad/s"},
-    {DIMENSION(0, 0, -2, 1), "an", "angular acceleration", "rad/s²", "rad/s²"},
-    {DIMENSION(0, 0, -1, 0), "a", "rate", "1/s", "1/s"},
-    {FORCE, "a", "force", "N", "lbf"},
-    {DIMENSION(1, 0, -2, 0), "a", "stiffness", "N/m", "lbf/ft"},
-    {DIMENSION(1, 0, -1, 0), "a", "damping", "N·s/m", "lbf·s/ft"},
-    {DIMENSION(1, -1, 0, 0), "a", "quadratic drag", "N·s²/m²", "lbf·s²/ft²"},
-    {DIMENSION(1, 1, -1, 0), "a", "momentum", "kg·m/s", "slug·ft/s"},
-    {DIMENSION(1, 2, -1, 0), "an", "angular momentum", "kg·m²/s", "slug·ft²/s"},
-    {DIMENSION(1, 2, 0, 0), "a", "moment of inertia", "kg·m²", "slug·ft²"},
-    {ENERGY, "an", "energy", "J", "ft·lbf"},
-    {POWER, "a", "power", "W", "ft·lbf/s"},
-    {PRESSURE, "a", "pressure", "Pa", "lbf/ft²"},
-    {DIMENSION(1, 2, -2, -1), "a", "torsional stiffness", "N·m/rad", "ft·lbf/rad"},
-    {DIMENSION(1, 2, -1, -1), "a", "torsional damping", "N·m·s/rad", "ft·lbf·s/rad"},
-    {DIMENSION(0, 2, 0, 0), "an", "area", "m²", "ft²"},
-    {DIMENSION(0, 3, 0, 0), "a", "volume", "m³", "ft³"},
-    {DIMENSION(1, -3, 0, 0), "a", "density", "kg/m³", "slug/ft³"},
-    {DIMENSION(0, 0, 0, 0), "a", "plain number", "", ""},
-    {DIMENSION(0, 0, 0, 0), NULL, NULL, NULL, NULL},
+    {MASS, N_("a mass"), "kg", "slug"},
+    {LENGTH, N_("a length"), "m", "ft"},
+    {TIME, N_("a time"), "s", "s"},
+    {ANGLE, N_("an angle"), "deg", "deg"},
+    {SPEED, N_("a velocity"), "m/s", "ft/s"},
+    {ACCELERATION, N_("an acceleration"), "m/s²", "ft/s²"},
+    {TURNING, N_("an angular velocity"), "rad/s", "rad/s"},
+    {DIMENSION(0, 0, -2, 1), N_("an angular acceleration"), "rad/s²", "rad/s²"},
+    {DIMENSION(0, 0, -1, 0), N_("a rate"), "1/s", "1/s"},
+    {FORCE, N_("a force"), "N", "lbf"},
+    {DIMENSION(1, 0, -2, 0), N_("a stiffness"), "N/m", "lbf/ft"},
+    {DIMENSION(1, 0, -1, 0), N_("a damping"), "N·s/m", "lbf·s/ft"},
+    {DIMENSION(1, -1, 0, 0), N_("a quadratic drag"), "N·s²/m²", "lbf·s²/ft²"},
+    {DIMENSION(1, 1, -1, 0), N_("a momentum"), "kg·m/s", "slug·ft/s"},
+    {DIMENSION(1, 2, -1, 0), N_("an angular momentum"), "kg·m²/s", "slug·ft²/s"},
+    {DIMENSION(1, 2, 0, 0), N_("a moment of inertia"), "kg·m²", "slug·ft²"},
+    {ENERGY, N_("an energy"), "J", "ft·lbf"},
+    {POWER, N_("a power"), "W", "ft·lbf/s"},
+    {PRESSURE, N_("a pressure"), "Pa", "lbf/ft²"},
+    {DIMENSION(1, 2, -2, -1), N_("a torsional stiffness"), "N·m/rad", "ft·lbf/rad"},
+    {DIMENSION(1, 2, -1, -1), N_("a torsional damping"), "N·m·s/rad", "ft·lbf·s/rad"},
+    {DIMENSION(0, 2, 0, 0), N_("an area"), "m²", "ft²"},
+    {DIMENSION(0, 3, 0, 0), N_("a volume"), "m³", "ft³"},
+    {DIMENSION(1, -3, 0, 0), N_("a density"), "kg/m³", "slug/ft³"},
+    {DIMENSION(0, 0, 0, 0), N_("a plain number"), "", ""},
+    {DIMENSION(0, 0, 0, 0), NULL, NULL, NULL},
 };

@@ -1,11 +1,13 @@
 /* Reading units and quantities. A unit is factors between product signs (space, `*`, `·`, `-` between letters) and `/`,
  * each a symbol of the table with an optional power: "m^2", "m²", "s^-1". `1` may stand before a `/`. */
+#include <glib/gi18n-lib.h>
 #include <math.h>
 #include <string.h>
 
 #include "units/quantity/units-private.h"
 
 #define LONGEST_SYMBOL 32  /* bytes of an unknown symbol that a message quotes */
+#define MOST_IN_RUN    4   /* units that letters without a sign between them are taken for */
 #define LARGEST_POWER  128 /* what a dimension can hold, and so what is written of one; sums are checked apart */
 #define DIMENSIONS     4
 
@@ -13,6 +15,8 @@
 typedef struct {
     const char *text;
     const char *at;
+    const char *unit; /* where the unit begins */
+    int sign;         /* of the factor that is read: -1 behind a `/` */
     glong offset;
     const TinkerDimension *wanted; /* for suggestions; NULL where anything goes */
     GError **error;
@@ -48,36 +52,93 @@ static char *units_of(TinkerDimension dimension)
     }
     g_autoptr(GString) list = g_string_new(NULL);
     for (guint i = 0; i < units->len; i++) {
-        if (i > 0) g_string_append(list, i + 1 < units->len ? ", " : " or ");
+        if (i > 0) g_string_append(list, i + 1 < units->len ? ", " : _(" or "));
         g_string_append_printf(list, "\"%s\"", (const char *)units->pdata[i]);
     }
     return g_string_free(g_steal_pointer(&list), FALSE);
 }
 
-static gboolean fail_unknown(const UnitReader *reader, const char *start, gsize length)
+static gsize symbol_length(const char *at)
 {
-    const gboolean whole = length <= LONGEST_SYMBOL;
-    g_autofree char *cut = g_strndup(start, MIN(length, LONGEST_SYMBOL));
-    g_autofree char *symbol = g_utf8_make_valid(cut, -1);
+    const char *end = at;
+    for (;;) {
+        if (g_str_has_prefix(end, "°")) {
+            end += strlen("°");
+        } else if (g_ascii_isalpha(*end) || (end > at && g_ascii_isdigit(*end)) || *end == '_') {
+            end++;
+        } else {
+            return (gsize)(end - at);
+        }
+    }
+}
+
+/* Whether the whole unit can be one of the wanted dimension with `meant` in the place of these letters. */
+static gboolean may_fit(const UnitReader *reader, const char *start, gsize length, const char *meant)
+{
+    TinkerUnit unit;
+    g_autofree char *text =
+        g_strdup_printf("%.*s%s%s", (int)(start - reader->unit), reader->unit, meant, start + length);
+    /* one that is wrong once more, farther on, says nothing yet */
+    return reader->wanted == NULL || !tinker_unit_parse(text, &unit, NULL) ||
+           tinker_dimension_equal(unit.dimension, *reader->wanted);
+}
+
+/* A run of letters that is no unit as so many units of the table, each with the digits of its power: "Nm" is "N m",
+ * "s2" is "s^2". The part of it that is left is at `run`, what was made of the others is in `meant`. FALSE, with
+ * `meant` as it was, where nothing fits. */
+static gboolean split_run(const UnitReader *reader, const char *start, const char *run, int parts, GString *meant)
+{
+    const gsize length = symbol_length(start), before = meant->len;
+    for (const TinkerUnitEntry *entry = tinker_unit_table; entry->symbol != NULL; entry++) {
+        if (!g_str_has_prefix(run, entry->symbol)) continue;
+        const char *digits = run + strlen(entry->symbol);
+        const gsize power = strspn(digits, "0123456789");
+        const gboolean is_last = digits + power == start + length;
+        if (is_last != (parts == 1)) continue;
+        g_string_append_printf(meant, "%s%s%s%.*s", before > 0 ? reader->sign < 0 ? "/" : " " : "", entry->symbol,
+                               power > 0 ? "^" : "", (int)power, digits);
+        if (is_last ? may_fit(reader, start, length, meant->str)
+                    : split_run(reader, start, digits + power, parts - 1, meant))
+            return TRUE;
+        g_string_truncate(meant, before);
+    }
+    return FALSE;
+}
+
+/* The unit that was probably meant by a symbol that there is not; NULL where none comes near. (transfer full) */
+static char *unit_meant(const UnitReader *reader, const char *start, const char *symbol)
+{
     const char *candidates[64];
     gsize count = 0;
     for (const TinkerUnitEntry *entry = tinker_unit_table; entry->symbol != NULL; entry++) {
         g_assert(count + 1 < G_N_ELEMENTS(candidates));
-        candidates[count++] = entry->symbol;
+        if (may_fit(reader, start, strlen(symbol), entry->symbol)) candidates[count++] = entry->symbol;
     }
     candidates[count] = NULL;
+    const char *nearest = tinker_nearest_word(symbol, candidates);
+    g_autoptr(GString) split = g_string_new(NULL);
+    for (int parts = 1; parts <= MOST_IN_RUN && (nearest == NULL || reader->wanted != NULL); parts++)
+        if (split_run(reader, start, start, parts, split)) return g_strdup(split->str);
+    return g_strdup(nearest);
+}
 
-    const char *nearest = whole ? tinker_nearest_word(symbol, candidates) : NULL;
+static gboolean fail_unknown(const UnitReader *reader, const char *start, gsize length)
+{
+    if (reader->error == NULL) return FALSE; /* nobody asks why */
+    const gboolean whole = length <= LONGEST_SYMBOL;
+    g_autofree char *cut = g_strndup(start, MIN(length, LONGEST_SYMBOL));
+    g_autofree char *symbol = g_utf8_make_valid(cut, -1);
+    g_autofree char *meant = whole ? unit_meant(reader, start, symbol) : NULL;
     g_autofree char *choice = NULL;
-    if (nearest != NULL) {
-        choice = g_strdup_printf("; did you mean \"%s\"?", nearest);
+    if (meant != NULL) {
+        choice = g_strdup_printf(_("; did you mean \"%s\"?"), meant);
     } else if (reader->wanted != NULL) {
         g_autofree char *units = units_of(*reader->wanted);
-        choice = *units != '\0' ? g_strdup_printf("; did you mean %s?", units)
-                                : g_strdup("; a plain number is expected here");
+        choice = *units != '\0' ? g_strdup_printf(_("; did you mean %s?"), units)
+                                : g_strdup(_("; a plain number is expected here"));
     }
     g_autofree char *message =
-        g_strdup_printf("unknown unit \"%s%s\"%s", symbol, whole ? "" : "...", choice != NULL ? choice : "");
+        g_strdup_printf(_("unknown unit \"%s%s\"%s"), symbol, whole ? "" : "...", choice != NULL ? choice : "");
     return fail(reader, TINKER_UNITS_ERROR_UNKNOWN, start, message);
 }
 
@@ -114,29 +175,15 @@ static gboolean read_power(UnitReader *reader, int *power)
     *power = 1;
     if (digit < 0) {
         if (raised && !negative) return TRUE;
-        return fail(reader, TINKER_UNITS_ERROR_SYNTAX, start, "a whole number is expected as the power, as in m^2");
+        return fail(reader, TINKER_UNITS_ERROR_SYNTAX, start, _("a whole number is expected as the power, as in m^2"));
     }
     *power = 0;
     for (; digit >= 0; digit = read_digit(&reader->at, raised)) {
         *power = *power * 10 + digit;
-        if (*power > LARGEST_POWER) return fail(reader, TINKER_UNITS_ERROR_SYNTAX, start, "the power is too large");
+        if (*power > LARGEST_POWER) return fail(reader, TINKER_UNITS_ERROR_SYNTAX, start, _("the power is too large"));
     }
     if (negative) *power = -*power;
     return TRUE;
-}
-
-static gsize symbol_length(const char *at)
-{
-    const char *end = at;
-    for (;;) {
-        if (g_str_has_prefix(end, "°")) {
-            end += strlen("°");
-        } else if (g_ascii_isalpha(*end) || (end > at && g_ascii_isdigit(*end)) || *end == '_') {
-            end++;
-        } else {
-            return (gsize)(end - at);
-        }
-    }
 }
 
 /* One factor with its power, multiplied onto the unit; `sign` is -1 behind a `/`. */
@@ -144,9 +191,10 @@ static gboolean read_factor(UnitReader *reader, int sign, double *factor, int ex
 {
     const char *start = reader->at;
     const gsize length = symbol_length(start);
+    reader->sign = sign;
     if (length == 0) {
         const char *message =
-            *start == '\0' ? "a unit is missing at the end" : "a unit is expected here, such as m, kg or lbf/ft";
+            *start == '\0' ? _("a unit is missing at the end") : _("a unit is expected here, such as m, kg or lbf/ft");
         return fail(reader, TINKER_UNITS_ERROR_SYNTAX, start, message);
     }
     char symbol[LONGEST_SYMBOL + 1];
@@ -166,7 +214,7 @@ static gboolean read_factor(UnitReader *reader, int sign, double *factor, int ex
         exponents[i] += power * own[i];
         fits = fits && exponents[i] >= G_MININT8 && exponents[i] <= G_MAXINT8;
     }
-    return fits || fail(reader, TINKER_UNITS_ERROR_SYNTAX, start, "the unit is out of range");
+    return fits || fail(reader, TINKER_UNITS_ERROR_SYNTAX, start, _("the unit is out of range"));
 }
 
 /* The sign between two factors: 1 for a product, -1 for `/`, 0 at the end. */
@@ -193,11 +241,12 @@ static gboolean read_unit(UnitReader *reader, TinkerUnit *unit)
     double factor = 1;
     int sign = 1;
     skip_blanks(&reader->at);
+    reader->unit = reader->at;
     if (*reader->at == '1' && !g_ascii_isdigit(reader->at[1])) {
         reader->at++;
         const char *behind = reader->at;
         sign = read_sign(reader);
-        if (sign > 0) return fail(reader, TINKER_UNITS_ERROR_SYNTAX, behind, "a \"/\" is expected here, as in 1/s");
+        if (sign > 0) return fail(reader, TINKER_UNITS_ERROR_SYNTAX, behind, _("a \"/\" is expected here, as in 1/s"));
     }
     if (*reader->at == '\0' && sign > 0) sign = 0;
     for (; sign != 0; sign = read_sign(reader))
@@ -245,6 +294,23 @@ static const char *number_end(const char *at)
     return end;
 }
 
+/* A comma where a number has none: between its whole part and its decimals, as other languages write it, or between
+ * thousands. `comma` is in the number that begins at `start`. */
+static gboolean fail_comma(const UnitReader *reader, const char *start, const char *comma)
+{
+    const char *end = comma;
+    int commas = 0;
+    for (; g_ascii_isdigit(*end) || (*end == ',' && g_ascii_isdigit(end[1])); end++)
+        commas += *end == ',';
+    g_autoptr(GString) meant = g_string_new_len(start, end - start);
+    g_string_replace(meant, ",", commas == 1 ? "." : "", 0);
+    g_autofree char *message =
+        g_strdup_printf(commas == 1 ? _("decimals stand behind a point, not a comma; did you mean \"%s\"?")
+                                    : _("no commas stand between thousands; did you mean \"%s\"?"),
+                        meant->str);
+    return fail(reader, TINKER_UNITS_ERROR_SYNTAX, comma, message);
+}
+
 gboolean tinker_unit_parse(const char *text, TinkerUnit *unit, GError **error)
 {
     if (!check_text(text, error)) return FALSE;
@@ -259,8 +325,10 @@ gboolean tinker_quantity_parse(const char *text, TinkerDimension wanted, double 
     skip_blanks(&reader.at);
     const char *start = reader.at;
     const char *end = number_end(start);
+    const char *comma = end > start ? end : start + strspn(start, "+-");
+    if (*comma == ',' && g_ascii_isdigit(comma[1])) return fail_comma(&reader, start, comma);
     if (end == start)
-        return fail(&reader, TINKER_UNITS_ERROR_SYNTAX, start, "a number is expected here, as in 12 or 12 in");
+        return fail(&reader, TINKER_UNITS_ERROR_SYNTAX, start, _("a number is expected here, as in 12 or 12 in"));
 
     g_autofree char *digits = g_strndup(start, (gsize)(end - start));
     const double number = g_ascii_strtod(digits, NULL);
@@ -273,11 +341,11 @@ gboolean tinker_quantity_parse(const char *text, TinkerDimension wanted, double 
     if (!tinker_dimension_equal(unit.dimension, wanted)) {
         g_autofree char *expected = tinker_dimension_describe(wanted);
         g_autofree char *found = tinker_dimension_describe(unit.dimension);
-        g_autofree char *message = g_strdup_printf("%s was expected, \"%s\" is %s", expected, text, found);
+        g_autofree char *message = g_strdup_printf(_("%s was expected, \"%s\" is %s"), expected, text, found);
         return fail(&reader, TINKER_UNITS_ERROR_DIMENSION, unit_start, message);
     }
     const double value = number * unit.factor;
-    if (!isfinite(value)) return fail(&reader, TINKER_UNITS_ERROR_SYNTAX, start, "the number is out of range");
+    if (!isfinite(value)) return fail(&reader, TINKER_UNITS_ERROR_SYNTAX, start, _("the number is out of range"));
     *si = value;
     return TRUE;
 }

@@ -11,16 +11,15 @@ typedef struct {
     TinkerDimension dimension;
 } TinkerUnitEntry;
 
-/* What a dimension is called, with the indefinite article, and the units that it is displayed in. */
+/* What a dimension is called, "a mass", and the units that it is displayed in. */
 typedef struct {
     TinkerDimension dimension;
-    const char *article;
-    const char *name;
+    const char *phrase; /* article and name, as translators need them */
     const char *si;
     const char *english;
 } TinkerDimensionEntry;
 
-/* The tables end with an entry without symbol or name. */
+/* The tables end with an entry without symbol or phrase. */
 extern const TinkerUnitEntry tinker_unit_table[];
 extern const TinkerDimensionEntry tinker_dimension_table[];
 

@@ -37,7 +37,7 @@ static GPtrArray *read_headings(const char *path, GError **error)
     gboolean read = file != NULL && getline(&line, &room, file) > 0;
     if (file != NULL) fclose(file);
     if (read) return split(line);
-    g_set_error(error, G_FILE_ERROR, G_FILE_ERROR_FAILED, "\"%s\" cannot be read, or is empty", path);
+    g_set_error(error, TINKER_CLI_ERROR, TINKER_CLI_ERROR_USAGE, "--with: %s cannot be read, or is empty", path);
     return NULL;
 }
 

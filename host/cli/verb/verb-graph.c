@@ -214,6 +214,7 @@ static gboolean add_others(TinkerChart *chart, const GraphOptions *options, cons
                 return FALSE;
             }
             other = chart_of_scene(options, scene, open->scene, names, error);
+            if (other == NULL) g_prefix_error(error, "--with: %s: ", *path);
         }
         if (other == NULL) return FALSE;
         if (other->run == NULL) other->run = short_name(*path);

@@ -2,6 +2,7 @@
 #include "common/film/film-graphs.h"
 
 #include "common/graph/graph-axis.h"
+#include "common/graph/graph-names.h"
 #include "render/plot/plot.h"
 #include "scene/store/quantities.h"
 
@@ -11,19 +12,40 @@
 
 typedef struct {
     int count;
-    int columns[MOST_CURVES]; /* numbers */
+    int columns[MOST_CURVES];  /* numbers */
+    char *labels[MOST_CURVES]; /* in the legend */
     char *title, *x_label, *y_label;
 } Graph;
 
 struct _TinkerFilmGraphs {
     TinkerScene *scene;
-    GArray *columns;   /* of TinkerColumn */
-    GArray *axes;      /* of TinkerGraphAxis: of each column */
-    GArray *times;     /* of double */
-    GPtrArray *series; /* of GArray of double: of each column */
+    TinkerTextFunc translate; /* NULL: texts are English */
+    GArray *columns;          /* of TinkerColumn */
+    GArray *axes;             /* of TinkerGraphAxis: of each column */
+    GArray *times;            /* of double */
+    GPtrArray *series;        /* of GArray of double: of each column */
     Graph graphs[MOST];
     int count;
 };
+
+static const char *in_language(const TinkerFilmGraphs *graphs, const char *text)
+{
+    return graphs->translate != NULL ? graphs->translate(text) : text;
+}
+
+static void name_curves(const TinkerFilmGraphs *graphs, const TinkerSceneGraph *from, Graph *graph)
+{
+    TinkerCurveName names[MOST_CURVES];
+    const guint count = (guint)graph->count;
+    for (guint i = 0; i < count; i++) {
+        const TinkerGraphAxis *axis = &g_array_index(graphs->axes, TinkerGraphAxis, graph->columns[i]);
+        names[i] = (TinkerCurveName){tinker_scene_owner_name(graphs->scene, axis->block), axis->title};
+    }
+    for (guint i = 0; i < count; i++)
+        graph->labels[i] = tinker_curve_legend(&names[i], names, count);
+    const gboolean has_title = from->title != NULL && from->title[0] != '\0';
+    graph->title = has_title ? g_strdup(from->title) : tinker_curves_title(names, count);
+}
 
 /* Takes the curves that are quantities; FALSE where there are none. */
 static gboolean take_graph(TinkerFilmGraphs *graphs, const TinkerSceneGraph *from, Graph *graph)
@@ -36,7 +58,8 @@ static gboolean take_graph(TinkerFilmGraphs *graphs, const TinkerSceneGraph *fro
         if (curve->block == NULL || !tinker_scene_find_owner(graphs->scene, curve->block, &block)) continue;
         const int32_t quantity = tinker_scene_find_quantity(graphs->scene, block, curve->quantity);
         if (quantity < 0) continue;
-        const TinkerGraphAxis axis = tinker_graph_axis(graphs->scene, block, quantity);
+        TinkerGraphAxis axis = tinker_graph_axis(graphs->scene, block, quantity);
+        axis.title = in_language(graphs, axis.title);
         graph->columns[graph->count++] = (int)graphs->columns->len;
         tinker_columns_add_quantity(graphs->columns, graphs->scene, block, quantity);
         g_array_append_val(graphs->axes, axis);
@@ -44,18 +67,19 @@ static gboolean take_graph(TinkerFilmGraphs *graphs, const TinkerSceneGraph *fro
     }
     if (graph->count == 0) return FALSE;
     const TinkerGraphAxis time = tinker_graph_axis_time();
-    graph->title = g_strdup(from->title);
-    graph->x_label = tinker_axis_label(time.title, time.unit);
+    graph->x_label = tinker_axis_label(in_language(graphs, time.title), time.unit);
+    name_curves(graphs, from, graph);
     graph->y_label =
         tinker_graph_axes_label(&g_array_index(graphs->axes, TinkerGraphAxis, graph->columns[0]), (guint)graph->count);
     return TRUE;
 }
 
-TinkerFilmGraphs *tinker_film_graphs_new(TinkerScene *scene)
+TinkerFilmGraphs *tinker_film_graphs_new(TinkerScene *scene, TinkerTextFunc translate)
 {
     TinkerFilmGraphs *graphs = g_new0(TinkerFilmGraphs, 1);
     GPtrArray *all = tinker_scene_graphs(scene);
     graphs->scene = scene;
+    graphs->translate = translate;
     graphs->columns = tinker_columns_new();
     graphs->axes = g_array_new(FALSE, FALSE, sizeof(TinkerGraphAxis));
     graphs->times = g_array_new(FALSE, FALSE, sizeof(double));
@@ -74,6 +98,8 @@ void tinker_film_graphs_free(TinkerFilmGraphs *graphs)
         g_free(graphs->graphs[i].title);
         g_free(graphs->graphs[i].x_label);
         g_free(graphs->graphs[i].y_label);
+        for (int k = 0; k < graphs->graphs[i].count; k++)
+            g_free(graphs->graphs[i].labels[k]);
     }
     g_array_unref(graphs->columns);
     g_array_unref(graphs->axes);
@@ -116,9 +142,8 @@ static void draw_graph(const TinkerFilmGraphs *graphs, const Graph *graph, cairo
     for (int i = 0; i < graph->count; i++) {
         const int column = graph->columns[i];
         const GArray *values = g_ptr_array_index(graphs->series, (guint)column);
-        const TinkerGraphAxis *axis = &g_array_index(graphs->axes, TinkerGraphAxis, column);
         curves[i] = (TinkerCurve){
-            .label = graph->count > 1 ? tinker_scene_owner_name(graphs->scene, axis->block) : NULL,
+            .label = graph->count > 1 ? graph->labels[i] : NULL,
             .x = (const double *)(gpointer)graphs->times->data,
             .y = (const double *)(gpointer)values->data,
             .count = values->len,

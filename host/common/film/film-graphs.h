@@ -10,8 +10,12 @@
 
 typedef struct _TinkerFilmGraphs TinkerFilmGraphs;
 
-/* Of the first graphs over time that show quantities; NULL where the scene has none. (transfer full) */
-TinkerFilmGraphs *tinker_film_graphs_new(TinkerScene *scene);
+/* A text in the language of whoever looks; it lives as long as the program. */
+typedef const char *(*TinkerTextFunc)(const char *text);
+
+/* Of the first graphs over time that show quantities, with their texts translated (NULL: in English); NULL where the
+ * scene has none. (transfer full) */
+TinkerFilmGraphs *tinker_film_graphs_new(TinkerScene *scene, TinkerTextFunc translate);
 void tinker_film_graphs_free(TinkerFilmGraphs *graphs);
 
 /* What a run is to record for them, of TinkerColumn. Borrowed. */

@@ -76,9 +76,9 @@ void tinker_motion_film_begin(TinkerMotionFilm *motion, TinkerModel *model, doub
         motion->arrows = tinker_film_arrows_new(model, scene, &motion->overlay);
 }
 
-void tinker_motion_film_show_graphs(TinkerMotionFilm *motion)
+void tinker_motion_film_show_graphs(TinkerMotionFilm *motion, TinkerTextFunc translate)
 {
-    motion->graphs = tinker_film_graphs_new(tinker_frame_scene(motion->frame));
+    motion->graphs = tinker_film_graphs_new(tinker_frame_scene(motion->frame), translate);
 }
 
 const GArray *tinker_motion_film_columns(const TinkerMotionFilm *motion)

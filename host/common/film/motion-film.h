@@ -4,6 +4,7 @@
 #define TINKER_HOST_MOTION_FILM_H
 
 #include "common/film/film-arrows.h"
+#include "common/film/film-graphs.h"
 #include "physics/run/simulation.h"
 #include "render/picture/painter.h"
 
@@ -23,9 +24,9 @@ double tinker_motion_film_show(TinkerMotionFilm *motion, const TinkerFilmOverlay
 /* The model that is run, borrowed until the last sample, and when its run ends (s). To be called before the run. */
 void tinker_motion_film_begin(TinkerMotionFilm *motion, TinkerModel *model, double end);
 
-/* The pictures show the scene's graphs, too, below the motion, if it has any over time. To be called before the run,
- * which is to record the columns below. */
-void tinker_motion_film_show_graphs(TinkerMotionFilm *motion);
+/* The pictures show the scene's graphs, too, below the motion, if it has any over time, with their texts translated
+ * (NULL: in English). To be called before the run, which is to record the columns below. */
+void tinker_motion_film_show_graphs(TinkerMotionFilm *motion, TinkerTextFunc translate);
 /* What the run is to record, of TinkerColumn; NULL: nothing. Borrowed. */
 const GArray *tinker_motion_film_columns(const TinkerMotionFilm *motion);
 

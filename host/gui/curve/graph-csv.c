@@ -14,13 +14,6 @@ typedef struct {
     const char *run; /* NULL: the present one */
 } Column;
 
-/* Whether it is the first curve of a run that is kept. */
-static gboolean begins_run(const TinkerGraphData *data, guint curve)
-{
-    return curve == tinker_graph_data_own_curves(data) ||
-           tinker_graph_data_run(data, curve) != tinker_graph_data_run(data, curve - 1);
-}
-
 /* (transfer full) */
 static GArray *columns_of(const TinkerGraphData *data)
 {
@@ -28,9 +21,8 @@ static GArray *columns_of(const TinkerGraphData *data)
     for (guint i = 0; i < tinker_graph_data_curves(data); i++) {
         const TinkerGraphSeries *series = tinker_graph_data_curve(data, i);
         const Column x = {series, TRUE, NULL}, y = {series, FALSE, tinker_graph_data_run(data, i)};
-        const guint own = tinker_graph_data_own_curves(data);
         const gboolean own_times = tinker_graph_series_is_table(series) || !tinker_graph_data_is_over_time(data) ||
-                                   (i >= own && begins_run(data, i));
+                                   tinker_graph_data_begins_run(data, i);
         if (i == 0 || own_times) g_array_append_val(columns, x);
         g_array_append_val(columns, y);
     }

@@ -11,7 +11,8 @@ typedef struct {
     TinkerGraphSeries *series;
     TinkerKeptRun *run;  /* borrowed; NULL: the present one */
     guint generation;    /* of what is kept */
-    char *name, *label;  /* in a legend */
+    char *name, *label;  /* of the curve, and in a legend */
+    char *run_name;      /* NULL: of the present run */
     TinkerThinPath thin; /* of a path */
 } GraphLine;
 

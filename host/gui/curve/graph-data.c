@@ -7,6 +7,7 @@ static void line_free(GraphLine *line)
     tinker_thin_path_clear(&line->thin);
     g_free(line->name);
     g_free(line->label);
+    g_free(line->run_name);
     g_free(line);
 }
 
@@ -190,7 +191,13 @@ const char *tinker_graph_data_name(const TinkerGraphData *data, guint curve)
 
 const char *tinker_graph_data_run(const TinkerGraphData *data, guint curve)
 {
-    return graph_line(data, curve)->run != NULL ? graph_line(data, curve)->run->name : NULL;
+    return graph_line(data, curve)->run_name;
+}
+
+gboolean tinker_graph_data_begins_run(const TinkerGraphData *data, guint curve)
+{
+    return curve >= data->own &&
+           (curve == data->own || graph_line(data, curve)->run != graph_line(data, curve - 1)->run);
 }
 
 gsize tinker_graph_data_count(const TinkerGraphData *data)

@@ -45,8 +45,10 @@ guint tinker_graph_data_curves(const TinkerGraphData *data);
 guint tinker_graph_data_own_curves(const TinkerGraphData *data);
 const TinkerGraphSeries *tinker_graph_data_curve(const TinkerGraphData *data, guint curve);
 const char *tinker_graph_data_name(const TinkerGraphData *data, guint curve);
-/* The name of the kept run that it is of; NULL: of the present one. */
+/* The name of the kept run that it is of, as the legend has it; NULL: of the present one. And whether it is the first
+ * curve of a run that is kept. */
 const char *tinker_graph_data_run(const TinkerGraphData *data, guint curve);
+gboolean tinker_graph_data_begins_run(const TinkerGraphData *data, guint curve);
 
 /* Points of the first curve; 0 before a run. They themselves, in displayed units: of x (the time, or the other
  * quantity) and of y. Borrowed until the next update. */

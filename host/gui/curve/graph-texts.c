@@ -1,6 +1,7 @@
 /* The words of a graph: its title, the labels of its axes, the names of its curves, and what stands beside a point. */
 #include <glib/gi18n.h>
 
+#include "common/graph/graph-names.h"
 #include "gui/curve/graph-data-private.h"
 #include "gui/text/translate.h"
 
@@ -9,20 +10,20 @@ static const char *y_title(const TinkerGraphData *data, guint number)
     return tinker_translate(tinker_graph_series_y_axis(graph_line(data, number)->series)->title);
 }
 
-/* "Mass 0: Y Position"; "Y Position" where all curves are of one block. (transfer full) */
-static char *name_of(const TinkerGraphData *data, guint number, gboolean with_block)
+static TinkerCurveName curve_of(const TinkerGraphData *data, guint number)
 {
-    const char *block = tinker_graph_series_block(graph_line(data, number)->series);
-    if (!with_block || block[0] == '\0') return g_strdup(y_title(data, number));
-    return g_strdup_printf("%s: %s", block, y_title(data, number));
+    return (TinkerCurveName){tinker_graph_series_block(graph_line(data, number)->series), y_title(data, number)};
 }
 
-static gboolean has_one_block(const TinkerGraphData *data)
+/* Of the curves of the graph, of TinkerCurveName. (transfer full) */
+static GArray *own_curves(const TinkerGraphData *data)
 {
-    const char *first = tinker_graph_series_block(graph_line(data, 0)->series);
-    for (guint i = 1; i < data->own; i++)
-        if (!g_str_equal(tinker_graph_series_block(graph_line(data, i)->series), first)) return FALSE;
-    return TRUE;
+    GArray *curves = g_array_new(FALSE, FALSE, sizeof(TinkerCurveName));
+    for (guint i = 0; i < data->own; i++) {
+        const TinkerCurveName curve = curve_of(data, i);
+        g_array_append_val(curves, curve);
+    }
+    return curves;
 }
 
 typedef enum { AXIS_X, AXIS_LEFT, AXIS_RIGHT } AxisPlace;
@@ -51,20 +52,12 @@ static char *label_of(const TinkerGraphData *data, AxisPlace place)
 static char *title_of(const TinkerGraphData *data)
 {
     if (data->graph->title != NULL && data->graph->title[0] != '\0') return g_strdup(data->graph->title);
-    const gboolean one_block = has_one_block(data);
-    g_autofree char *first = name_of(data, 0, TRUE);
+    g_autoptr(GArray) own = own_curves(data);
+    g_autofree char *curves = tinker_curves_title((const TinkerCurveName *)(gpointer)own->data, own->len);
     if (data->own == 1 && !data->over_time && !data->is_spectrum)
-        return g_strdup_printf(_("%s over %s"), first,
+        return g_strdup_printf(_("%s over %s"), curves,
                                tinker_translate(tinker_graph_series_x_axis(graph_line(data, 0)->series)->title));
-    GString *title = g_string_new(first);
-    for (guint i = 1; i < data->own; i++) {
-        g_autofree char *name = name_of(data, i, !one_block);
-        g_string_append_printf(title, ", %s", name);
-    }
-    char *plain = g_string_free(title, FALSE);
-    if (!data->is_spectrum) return plain;
-    g_autofree char *of = plain;
-    return g_strdup_printf(_("Spectrum of %s"), of);
+    return data->is_spectrum ? g_strdup_printf(_("Spectrum of %s"), curves) : g_steal_pointer(&curves);
 }
 
 static gboolean has_several_units(const TinkerGraphData *data, gboolean right)
@@ -89,12 +82,41 @@ static void call_amplitudes(TinkerGraphData *data)
     }
 }
 
+/* Several runs of one curve are told apart by the run alone. (transfer full) */
+static char *with_run(const TinkerGraphData *data, const char *name, const char *run)
+{
+    if (run == NULL) return g_strdup(name);
+    return data->own == 1 ? g_strdup(run) : g_strdup_printf("%s (%s)", name, run);
+}
+
+/* `now` is what the present run is called beside those that are kept. */
+static void name_line(TinkerGraphData *data, guint number, const GArray *own, const char *now)
+{
+    GraphLine *line = graph_line(data, number);
+    const TinkerGraphSeries *series = line->series;
+    const TinkerCurveName curve = curve_of(data, number), *all = (const TinkerCurveName *)(gconstpointer)own->data;
+    g_autofree char *plain = tinker_curve_name(&curve, all, own->len),
+                    *short_name = tinker_curve_legend(&curve, all, own->len);
+    g_free(line->run_name);
+    line->run_name =
+        line->run != NULL ? tinker_kept_run_name_beside(line->run, tinker_document_scene(data->document)) : NULL;
+    const gboolean among_runs = data->lines->len > data->own && !tinker_graph_series_is_table(series);
+    const char *run = !among_runs ? NULL : line->run != NULL ? line->run_name : now;
+    g_free(line->name);
+    line->name = with_run(data, plain, run);
+    g_autofree char *in_legend = with_run(data, short_name, run);
+    g_free(line->label);
+    line->label = has_several_units(data, tinker_graph_series_is_right(series))
+                      ? tinker_axis_label(in_legend, tinker_graph_series_y_axis(series)->unit)
+                      : g_steal_pointer(&in_legend);
+}
+
 void graph_data_renew_texts(TinkerGraphData *data)
 {
     char **texts[] = {&data->title, &data->x_label, &data->y_label, &data->right_label};
     for (gsize i = 0; i < G_N_ELEMENTS(texts); i++)
         g_clear_pointer(texts[i], g_free);
-    const gboolean one_block = has_one_block(data);
+    g_autoptr(GArray) own = own_curves(data);
     g_autofree char *now =
         tinker_kept_runs_name_of(tinker_player_kept(data->player), tinker_document_scene(data->document));
     data->title = title_of(data);
@@ -102,22 +124,8 @@ void graph_data_renew_texts(TinkerGraphData *data)
     data->y_label = label_of(data, AXIS_LEFT);
     data->right_label = label_of(data, AXIS_RIGHT);
     if (data->is_spectrum) call_amplitudes(data);
-    for (guint i = 0; i < data->lines->len; i++) {
-        GraphLine *line = graph_line(data, i);
-        const char *unit = tinker_graph_series_y_axis(line->series)->unit;
-        line->name = name_of(data, i, !one_block);
-        if (data->lines->len > data->own && !tinker_graph_series_is_table(line->series)) {
-            /* several runs of one curve are told apart by the run alone */
-            g_autofree char *plain = line->name;
-            g_autofree char *run = line->run != NULL
-                                       ? tinker_kept_run_name_beside(line->run, tinker_document_scene(data->document))
-                                       : g_strdup(now);
-            line->name = data->own == 1 ? g_strdup(run) : g_strdup_printf("%s (%s)", plain, run);
-        }
-        line->label = has_several_units(data, tinker_graph_series_is_right(line->series))
-                          ? tinker_axis_label(line->name, unit)
-                          : g_strdup(line->name);
-    }
+    for (guint i = 0; i < data->lines->len; i++)
+        name_line(data, i, own, now);
 }
 
 char *tinker_graph_value_text(const char *name, double value, const char *unit)

@@ -55,7 +55,8 @@ gboolean tinker_document_changed_on_disk(TinkerDocument *document);
  * (transfer full) */
 TinkerFileSet *tinker_document_files(TinkerDocument *document);
 
-/* What the title bar calls it: the scene's title, else the file's name, else "Untitled". (transfer full) */
+/* What the title bar calls it: the scene's title, which of a bundled scene is translated, else the file's name, else
+ * "Untitled". (transfer full) */
 char *tinker_document_name(TinkerDocument *document);
 gboolean tinker_document_is_modified(TinkerDocument *document);
 

@@ -3,6 +3,8 @@
 
 #include <glib/gi18n.h>
 
+#include <string.h>
+
 #include "measure/changes.h"
 #include "scene/frame/tops.h"
 
@@ -79,7 +81,8 @@ static void name_newest(TinkerKeptRuns *runs, TinkerScene *scene)
     run->is_counted = FALSE;
 }
 
-gboolean tinker_kept_runs_add(TinkerKeptRuns *runs, TinkerScene *scene, const TinkerRecording *recording)
+gboolean tinker_kept_runs_add(TinkerKeptRuns *runs, TinkerScene *scene, const TinkerRecording *recording,
+                              const TinkerFrame *shown)
 {
     if (runs->runs->len >= TINKER_MOST_KEPT) return FALSE;
     TinkerKeptRun *run = g_new0(TinkerKeptRun, 1);
@@ -93,6 +96,7 @@ gboolean tinker_kept_runs_add(TinkerKeptRuns *runs, TinkerScene *scene, const Ti
     run->scene = tinker_scene_copy(scene);
     run->frame = tinker_frame_new(run->scene, NULL);
     if (run->frame != NULL) tinker_tops_turn_bodies(run->frame);
+    if (run->frame != NULL && shown != NULL) tinker_frame_note_spans_of(run->frame, shown);
     tinker_recording_init(&run->recording);
     tinker_recording_share(&run->recording, recording);
     g_ptr_array_add(runs->runs, run);
@@ -117,7 +121,8 @@ void tinker_kept_runs_remove_all(TinkerKeptRuns *runs)
 void tinker_kept_runs_rename(TinkerKeptRuns *runs, guint place, const char *name)
 {
     TinkerKeptRun *run = tinker_kept_runs_at(runs, place);
-    if (g_str_equal(run->name, name)) return;
+    const gboolean is_blank = name[strspn(name, " \t")] == '\0';
+    if (is_blank || g_str_equal(run->name, name)) return;
     g_free(run->name);
     run->name = g_strdup(name);
     run->is_counted = FALSE;
@@ -137,7 +142,9 @@ TinkerFrame *tinker_kept_run_frame(TinkerKeptRun *run, double time)
     const TinkerSegment *last = tinker_recording_last(&run->recording);
     if (!run->shown || run->frame == NULL || last == NULL || time > tinker_run_task_status(last->task).reached)
         return NULL;
-    return tinker_recording_place(&run->recording, run->frame, time) ? run->frame : NULL;
+    if (!tinker_recording_place(&run->recording, run->frame, time)) return NULL;
+    tinker_frame_note_spans(run->frame); /* of what was recorded after it was kept */
+    return run->frame;
 }
 
 static void tinker_kept_runs_finalize(GObject *object)

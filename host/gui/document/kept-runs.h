@@ -30,12 +30,15 @@ TinkerKeptRuns *tinker_kept_runs_new(void);
 guint tinker_kept_runs_count(TinkerKeptRuns *runs);
 TinkerKeptRun *tinker_kept_runs_at(TinkerKeptRuns *runs, guint place);
 
-/* Keeps what is recorded of a scene, which is copied. Its name says what was changed since the one kept before,
+/* Keeps what is recorded of a scene, which is copied; `shown` is the frame that has shown it (may be NULL), whose spans
+ * are the kept one's. Its name says what was changed since the one kept before,
  * "Spring 0: Stiffness 25 → 50 N/m", or is "Run 1"; one of such a name is now named by what was changed since, "Spring
  * 0: Stiffness 25 N/m". FALSE where there are as many as can be. */
-gboolean tinker_kept_runs_add(TinkerKeptRuns *runs, TinkerScene *scene, const TinkerRecording *recording);
+gboolean tinker_kept_runs_add(TinkerKeptRuns *runs, TinkerScene *scene, const TinkerRecording *recording,
+                              const TinkerFrame *shown);
 void tinker_kept_runs_remove(TinkerKeptRuns *runs, guint place);
 void tinker_kept_runs_remove_all(TinkerKeptRuns *runs);
+/* A blank name changes nothing. */
 void tinker_kept_runs_rename(TinkerKeptRuns *runs, guint place, const char *name);
 void tinker_kept_runs_show(TinkerKeptRuns *runs, guint place, gboolean shown);
 

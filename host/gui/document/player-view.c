@@ -29,8 +29,10 @@ TinkerKeptRuns *tinker_player_kept(TinkerPlayer *player)
 
 gboolean tinker_player_keep(TinkerPlayer *player)
 {
-    return player->recording.segments->len > 0 &&
-           tinker_kept_runs_add(player->kept, tinker_document_scene(player->document), &player->recording);
+    if (player->recording.segments->len == 0) return FALSE;
+    player_update_frame(player); /* which notes the spans of what is recorded */
+    return tinker_kept_runs_add(player->kept, tinker_document_scene(player->document), &player->recording,
+                                player->frame);
 }
 
 TinkerTimeSpan *tinker_player_span(TinkerPlayer *player)

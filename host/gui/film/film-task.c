@@ -3,6 +3,7 @@
 
 #include "common/film/motion-film.h"
 #include "gui/document/background.h"
+#include "gui/text/translate.h"
 #include "measure/until.h"
 #include "physics/compile/compile.h"
 #include "physics/model/model.h"
@@ -109,7 +110,7 @@ static gboolean run_scene(Job *job, TinkerMotionFilm *motion, GError **error)
     g_autoptr(TinkerSimulation) simulation = tinker_simulation_new(model, &options, error);
     if (simulation == NULL) return FALSE;
     tinker_motion_film_begin(motion, model, tinker_options_duration(&options));
-    if (job->settings.show_graphs) tinker_motion_film_show_graphs(motion);
+    if (job->settings.show_graphs) tinker_motion_film_show_graphs(motion, tinker_translate);
     const TinkerSampleTaker taker = {tinker_motion_film_sample, tinker_motion_film_begin_again, motion};
     if (tinker_accurate_run(&simulation, tinker_motion_film_columns(motion), &taker, &job->failure)) return TRUE;
     if (g_error_matches(job->failure, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_ACCURACY)) {

@@ -3,15 +3,19 @@
 
 #include <adwaita.h>
 #include <glib/gi18n.h>
+#include <string.h>
 
 #include "gui/curve/graph-edit.h"
 #include "gui/document/carry-tables.h"
+#include "gui/text/sentence.h"
 #include "gui/text/translate.h"
 #include "gui/widget/choices.h"
 #include "scene/store/quantities.h"
+#include "units/waveform/table-columns.h"
 
-#define WIDTH  460
-#define HEIGHT 440
+#define WIDTH       540
+#define HEIGHT      440
+#define LIST_HEIGHT 170 /* of more curves than that has room for, some are scrolled to: more can always be added */
 
 typedef struct {
     TinkerDocument *document;
@@ -36,10 +40,26 @@ static const TinkerSceneGraph *graph_of(const Dialog *dialog)
     return dialog->number < (int)graphs->len ? g_ptr_array_index(graphs, dialog->number) : NULL;
 }
 
+/* Behind where the message says that it is. */
+static const char *past(const char *message, const char *place)
+{
+    return g_str_has_prefix(message, place) ? message + strlen(place) : message;
+}
+
+/* What is wrong, if anything, as a sentence; where it is in the expression, the cursor is put. */
 static void tell(Dialog *dialog, GError *error)
 {
-    gtk_label_set_text(GTK_LABEL(dialog->fault), error != NULL ? error->message : "");
-    gtk_widget_set_visible(dialog->fault, error != NULL);
+    g_autofree char *sentence = NULL;
+    int column = 0;
+    if (error != NULL) {
+        const char *bare = past(past(error->message, "graph: "), "expression: ");
+        sentence = tinker_sentence_in(tinker_document_scene(dialog->document), tinker_without_column(bare, &column));
+    }
+    gtk_label_set_text(GTK_LABEL(dialog->fault), sentence != NULL ? sentence : "");
+    gtk_widget_set_visible(dialog->fault, sentence != NULL);
+    if (column == 0) return;
+    gtk_widget_grab_focus(dialog->expression);
+    gtk_editable_set_position(GTK_EDITABLE(dialog->expression), column - 1);
 }
 
 /* The list ------------------------------------------------------------------------------------------------------------
@@ -129,11 +149,12 @@ static void on_changed(GtkWindow *window)
 /* More ----------------------------------------------------------------------------------------------------------------
  */
 
-static void add(Dialog *dialog, const TinkerSceneCurve *curve)
+static gboolean add(Dialog *dialog, const TinkerSceneCurve *curve)
 {
     g_autoptr(GError) error = NULL;
-    tinker_graph_add_curve(dialog->document, dialog->number, curve, &error);
+    const gboolean added = tinker_graph_add_curve(dialog->document, dialog->number, curve, &error);
     tell(dialog, error);
+    return added;
 }
 
 static const char *chosen(GtkWidget *list)
@@ -142,18 +163,31 @@ static const char *chosen(GtkWidget *list)
     return item != NULL ? gtk_string_object_get_string(GTK_STRING_OBJECT(item)) : NULL;
 }
 
+static void offer(GtkStringList *model, GStrvBuilder *names, TinkerScene *scene, TinkerBlockId block, const char *name)
+{
+    const int32_t number = tinker_scene_find_quantity(scene, block, name);
+    if (number < 0) return; /* "distance to BLOCK" stands for as many as there are blocks */
+    g_strv_builder_add(names, name);
+    gtk_string_list_append(model, tinker_translate(tinker_scene_quantity_type(scene, block, number).title));
+}
+
 static void on_block(Dialog *dialog)
 {
     TinkerScene *scene = tinker_document_scene(dialog->document);
     TinkerBlockId block;
     if (chosen(dialog->block) == NULL || !tinker_scene_find_owner(scene, chosen(dialog->block), &block)) return;
-    g_strfreev(dialog->quantities);
-    dialog->quantities = tinker_scene_quantity_names(scene, block);
     g_autoptr(GtkStringList) model = gtk_string_list_new(NULL);
-    for (char **name = dialog->quantities; *name != NULL; name++) {
-        const int32_t number = tinker_scene_find_quantity(scene, block, *name);
-        gtk_string_list_append(model, tinker_translate(tinker_scene_quantity_type(scene, block, number).title));
+    g_autoptr(GStrvBuilder) names = g_strv_builder_new();
+    g_auto(GStrv) of_class = tinker_scene_quantity_names(scene, block);
+    for (char **name = of_class; *name != NULL; name++)
+        offer(model, names, scene, block, *name);
+    for (int32_t i = 0; block != TINKER_NO_BLOCK && i < tinker_scene_block_count(scene); i++) {
+        const TinkerBlockId other = tinker_scene_block_at(scene, i);
+        g_autofree char *distance = tinker_quantity_distance_to(tinker_scene_block_name(scene, other));
+        if (other != block) offer(model, names, scene, block, distance);
     }
+    g_strfreev(dialog->quantities);
+    dialog->quantities = g_strv_builder_end(names);
     gtk_drop_down_set_model(GTK_DROP_DOWN(dialog->quantity), G_LIST_MODEL(model));
 }
 
@@ -183,7 +217,7 @@ static void on_add_expression(Dialog *dialog)
 {
     const TinkerSceneCurve curve = {.expression = (char *)gtk_editable_get_text(GTK_EDITABLE(dialog->expression)),
                                     .axis = 1};
-    if (curve.expression[0] != '\0') add(dialog, &curve);
+    if (curve.expression[0] != '\0' && add(dialog, &curve)) gtk_editable_set_text(GTK_EDITABLE(dialog->expression), "");
 }
 
 static void on_table(GtkNativeDialog *chooser, int response, GtkWindow *window)
@@ -194,11 +228,13 @@ static void on_table(GtkNativeDialog *chooser, int response, GtkWindow *window)
     const char *scene = tinker_document_path(dialog->document);
     if (response == GTK_RESPONSE_ACCEPT && path != NULL) {
         g_autoptr(GError) error = NULL;
+        g_autoptr(GArray) rows = g_array_new(FALSE, FALSE, sizeof(double));
         gboolean made;
         g_autofree char *name = table_name_in_scene(scene, path);
         if (name == NULL) name = table_name_of_copy(scene, path);
         const TinkerSceneCurve curve = {.table = name, .column = 1, .axis = 1};
-        if (table_copy_beside(scene, path, name, &made, &error))
+        if (tinker_table_read_column(path, curve.column, rows, &error) &&
+            table_copy_beside(scene, path, name, &made, &error))
             tinker_graph_add_curve(dialog->document, dialog->number, &curve, &error);
         tell(dialog, error);
     }
@@ -268,8 +304,11 @@ static GListModel *owners_of(TinkerScene *scene)
 
 static void add_parts(Dialog *dialog, GtkWidget *box)
 {
+    GtkWidget *scroller = gtk_scrolled_window_new();
     dialog->list = gtk_box_new(GTK_ORIENTATION_VERTICAL, 6);
-    gtk_box_append(GTK_BOX(box), dialog->list);
+    g_object_set(scroller, "hscrollbar-policy", GTK_POLICY_NEVER, "propagate-natural-height", TRUE,
+                 "max-content-height", LIST_HEIGHT, "child", dialog->list, NULL);
+    gtk_box_append(GTK_BOX(box), scroller);
     gtk_box_append(GTK_BOX(box), gtk_separator_new(GTK_ORIENTATION_HORIZONTAL));
     GtkWidget *line = add_line(box);
     dialog->block = add_choices(line, _("Block"), owners_of(tinker_document_scene(dialog->document)));
@@ -286,6 +325,10 @@ static void add_parts(Dialog *dialog, GtkWidget *box)
     gtk_box_append(GTK_BOX(line), dialog->expression);
     g_signal_connect_swapped(dialog->expression, "activate", G_CALLBACK(on_add_expression), dialog);
     add_button(line, _("Add _Expression"), dialog, G_CALLBACK(on_add_expression));
+    dialog->fault = g_object_new(GTK_TYPE_LABEL, "accessible-role", GTK_ACCESSIBLE_ROLE_ALERT, "wrap", TRUE, "xalign",
+                                 0.0, "visible", FALSE, NULL);
+    gtk_widget_add_css_class(dialog->fault, "error");
+    gtk_box_append(GTK_BOX(box), dialog->fault);
     line = add_line(box);
     add_button(line, _("Add _Table…"), dialog, G_CALLBACK(on_add_table));
     dialog->across = gtk_check_button_new_with_label(_("Logarithmic Across"));
@@ -296,10 +339,6 @@ static void add_parts(Dialog *dialog, GtkWidget *box)
         gtk_box_append(GTK_BOX(line), scales[i]);
         g_signal_connect(scales[i], "toggled", G_CALLBACK(on_scale), dialog);
     }
-    dialog->fault = g_object_new(GTK_TYPE_LABEL, "accessible-role", GTK_ACCESSIBLE_ROLE_ALERT, "wrap", TRUE, "xalign",
-                                 0.0, "visible", FALSE, NULL);
-    gtk_widget_add_css_class(dialog->fault, "error");
-    gtk_box_append(GTK_BOX(box), dialog->fault);
 }
 
 static gboolean on_escape(GtkWidget *widget, GVariant *arguments, gpointer data)

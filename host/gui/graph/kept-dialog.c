@@ -48,13 +48,12 @@ static void on_remove(GtkWidget *button)
     g_idle_add_full(G_PRIORITY_HIGH_IDLE, fill_later, g_object_ref(window), g_object_unref);
 }
 
-static void add_row(GtkWidget *list, const TinkerKeptRun *run, guint place)
+static void add_row(GtkWidget *list, const TinkerKeptRun *run, guint place, TinkerScene *scene)
 {
     GtkWidget *row = gtk_box_new(GTK_ORIENTATION_HORIZONTAL, 6), *check = gtk_check_button_new(),
               *entry = gtk_entry_new(), *button = gtk_button_new_from_icon_name("list-remove-symbolic");
-    g_autofree char *show = g_strdup_printf(_("Show %s"), run->name),
-                    *name = g_strdup_printf(_("Name of %s"), run->name),
-                    *remove = g_strdup_printf(_("Remove %s"), run->name);
+    g_autofree char *called = tinker_kept_run_name_beside(run, scene), *show = g_strdup_printf(_("Show %s"), called),
+                    *name = g_strdup_printf(_("Name of %s"), called), *remove = g_strdup_printf(_("Remove %s"), called);
     const struct {
         GtkWidget *part;
         const char *label, *signal;
@@ -63,7 +62,7 @@ static void add_row(GtkWidget *list, const TinkerKeptRun *run, guint place)
                  {entry, name, "changed", G_CALLBACK(on_renamed)},
                  {button, remove, "clicked", G_CALLBACK(on_remove)}};
     gtk_check_button_set_active(GTK_CHECK_BUTTON(check), run->shown);
-    gtk_editable_set_text(GTK_EDITABLE(entry), run->name);
+    gtk_editable_set_text(GTK_EDITABLE(entry), called);
     gtk_widget_set_hexpand(entry, TRUE);
     gtk_widget_add_css_class(button, "flat");
     for (gsize i = 0; i < G_N_ELEMENTS(parts); i++) {
@@ -84,7 +83,8 @@ static void fill(GtkWidget *window)
     while ((child = gtk_widget_get_first_child(list)) != NULL)
         gtk_box_remove(GTK_BOX(list), child);
     for (guint i = 0; i < tinker_kept_runs_count(runs); i++)
-        add_row(list, tinker_kept_runs_at(runs, i), i);
+        add_row(list, tinker_kept_runs_at(runs, i), i,
+                tinker_document_scene(g_object_get_data(G_OBJECT(window), "document")));
     if (tinker_kept_runs_count(runs) > 0) return;
     GtkWidget *none =
         gtk_label_new(_("No run is kept. “Keep Run” keeps the present one to be compared with the next."));
@@ -98,7 +98,7 @@ static gboolean on_escape(GtkWidget *widget, GVariant *arguments, gpointer data)
     return TRUE;
 }
 
-void tinker_kept_dialog_open(GtkWindow *over, TinkerKeptRuns *runs)
+void tinker_kept_dialog_open(GtkWindow *over, TinkerDocument *document, TinkerKeptRuns *runs)
 {
     GtkWidget *content = gtk_box_new(GTK_ORIENTATION_VERTICAL, 0), *list = gtk_box_new(GTK_ORIENTATION_VERTICAL, 6);
     GtkWidget *scroller = gtk_scrolled_window_new();
@@ -106,6 +106,7 @@ void tinker_kept_dialog_open(GtkWindow *over, TinkerKeptRuns *runs)
         g_object_new(ADW_TYPE_WINDOW, "title", _("Kept Runs"), "modal", TRUE, "transient-for", over, "default-width",
                      WIDTH, "default-height", HEIGHT, "destroy-with-parent", TRUE, NULL);
     g_object_set_data_full(G_OBJECT(window), "runs", g_object_ref(runs), g_object_unref);
+    g_object_set_data_full(G_OBJECT(window), "document", g_object_ref(document), g_object_unref);
     g_object_set_data(G_OBJECT(window), "list", list);
     g_object_set(list, "margin-top", 12, "margin-bottom", 18, "margin-start", 18, "margin-end", 18, NULL);
     g_object_set(scroller, "hscrollbar-policy", GTK_POLICY_NEVER, "vexpand", TRUE, "child", list, NULL);

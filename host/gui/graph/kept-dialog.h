@@ -4,9 +4,10 @@
 
 #include <gtk/gtk.h>
 
+#include "gui/document/document.h"
 #include "gui/document/kept-runs.h"
 
-/* Opens it over a window. */
-void tinker_kept_dialog_open(GtkWindow *over, TinkerKeptRuns *runs);
+/* Opens it over a window; the runs are called what they are beside the document's scene. */
+void tinker_kept_dialog_open(GtkWindow *over, TinkerDocument *document, TinkerKeptRuns *runs);
 
 #endif

@@ -16,16 +16,6 @@ gboolean property_refuse(GError **error, const char *format, ...)
     return FALSE;
 }
 
-static const char *without_column(const char *message)
-{
-    const char *at = message;
-    if (!g_str_has_prefix(at, "column ")) return message;
-    at += strlen("column ");
-    while (g_ascii_isdigit(*at))
-        at++;
-    return g_str_has_prefix(at, ": ") ? at + 2 : message;
-}
-
 static const char *without_prefix(const char *message, const char *prefix)
 {
     gsize length = prefix != NULL ? strlen(prefix) : 0;
@@ -35,7 +25,7 @@ static const char *without_prefix(const char *message, const char *prefix)
 
 void property_fail(GError **error, GError *cause, const char *prefix, const TinkerBlockClass *block_class)
 {
-    const char *bare = without_column(without_prefix(cause->message, prefix));
+    const char *bare = tinker_without_column(without_prefix(cause->message, prefix), NULL);
     g_autofree char *titled = block_class != NULL ? tinker_with_titles(bare, block_class) : g_strdup(bare);
     g_autofree char *message = tinker_sentence(titled);
     g_set_error_literal(error, cause->domain, cause->code, message);

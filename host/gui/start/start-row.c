@@ -118,6 +118,7 @@ TinkerStartRow *tinker_start_row_new(const char *label)
     TinkerStartRow *row = g_object_new(TINKER_TYPE_START_ROW, NULL);
     g_autofree char *name = g_strdup_printf(_("Set %s"), label);
     gtk_label_set_text(GTK_LABEL(row->label), label);
+    gtk_accessible_update_property(GTK_ACCESSIBLE(row), GTK_ACCESSIBLE_PROPERTY_LABEL, label, -1);
     gtk_accessible_update_property(GTK_ACCESSIBLE(row->entry), GTK_ACCESSIBLE_PROPERTY_LABEL, label, -1);
     gtk_accessible_update_property(GTK_ACCESSIBLE(row->button), GTK_ACCESSIBLE_PROPERTY_LABEL, name, -1);
     return row;

@@ -36,6 +36,16 @@ char *tinker_sentence_in(TinkerScene *scene, const char *message)
     return tinker_sentence(message);
 }
 
+const char *tinker_without_column(const char *message, int *column)
+{
+    static const char word[] = "column ";
+    char *end = NULL;
+    const int number = g_str_has_prefix(message, word) ? (int)g_ascii_strtoull(message + strlen(word), &end, 10) : 0;
+    const gboolean has_column = number > 0 && g_str_has_prefix(end, ": ");
+    if (column != NULL) *column = has_column ? number : 0;
+    return has_column ? end + strlen(": ") : message;
+}
+
 static gboolean is_word_character(char c)
 {
     return g_ascii_isalnum(c) || c == '_';

@@ -88,7 +88,7 @@ void window_keep_run(TinkerWindow *window)
 
 void window_kept_runs(TinkerWindow *window)
 {
-    tinker_kept_dialog_open(GTK_WINDOW(window), tinker_player_kept(window->player));
+    tinker_kept_dialog_open(GTK_WINDOW(window), window->document, tinker_player_kept(window->player));
 }
 
 /* The menu ------------------------------------------------------------------------------------------------------------

@@ -52,12 +52,27 @@ def test_quantities_of_two_blocks(display):
         check_equal([curve.get("quantity") for curve in curves(app)], ["y"], "quantities after undo")
 
 
+def test_more_can_be_added_to_many(display):
+    """The list is scrolled; what adds to it stays in sight."""
+    many = [{"block": block, "quantity": name} for block in ("Ball", "Stone") for name in ("x", "y", "vx", "vy", "ax", "ay")]
+    with App(display, scene(mass("Ball", 0, 0), mass("Stone", 2, 0), graphs=[{"curves": many}])) as app:
+        dialog = open_dialog(app)
+        _, top, _, height = app.box(dialog)
+        for role, name in (("button", "Add"), ("text", "Expression"), ("check box", "Logarithmic Upwards")):
+            _, y, _, down = app.settled(app.find(role, name, inside=dialog))
+            check(top < y and y + down < top + height, f"{name} from {y} to {y + down} is in the dialog's {height}")
+
+
 def test_quantities_have_the_names_of_all_lists(display):
     """Titles as in menus, not the names in files."""
     with App(display, falling()) as app:
         dialog = open_dialog(app)
         add_quantity(app, dialog, "Ball", "Y Velocity")
         app.find("button", re.compile("^Remove Ball.vy"), inside=dialog)
+        app.click(app.find("combo box", "Quantity", inside=dialog))
+        app.press("End", "Return")  # the distances come last, one to each block
+        app.click("Add", inside=dialog)
+        app.find("button", "Remove Ball.distance to Stone", inside=dialog)
         close_dialog(app)
         check_equal(curves(app)[1]["quantity"], "vy", "quantity in the file")
 
@@ -77,16 +92,36 @@ def test_what_is_measured_stays_with_other_curves(display):
         wait(lambda: "A: t = 0.1 s" in graph(app).description, "the cursor to be told still")
 
 
+def test_table(display):
+    """One that holds no numbers is refused with its place; another one lies over the curve."""
+    with App(display, falling()) as app:
+        (app.home / "words.csv").write_text("t,y\n0,1\n0.1,x\n")
+        (app.home / "measured.csv").write_text("t,y\n0,1\n0.1,2\n")
+        dialog = open_dialog(app)
+        app.click("Add Table…", inside=dialog)
+        app.open_dialog("Choose a Table", app.home / "words.csv")
+        wait(lambda: app.look("alert", re.compile("words.csv:3:5: the value must be a number"), inside=dialog),
+             "what is wrong with it")
+        app.focus_window()
+        app.click("Add Table…", inside=dialog)
+        app.open_dialog("Choose a Table", app.home / "measured.csv")
+        app.find("button", "Remove measured.csv, 1", inside=dialog)
+        close_dialog(app)
+        check_equal([curve.get("table") for curve in curves(app)], [None, "measured.csv"], "tables in the file")
+
+
 def test_expression(display):
     with App(display, falling()) as app:
         dialog = open_dialog(app)
         entry = app.find("text", "Expression", inside=dialog)
         app.retype(entry, "{Ball.z}^2")
         app.press("Return")
-        wait(lambda: app.look("alert", re.compile("Ball has no quantity"), inside=dialog), "what is wrong with it")
+        wait(lambda: app.look("alert", re.compile("^{Ball.z}: Ball has no quantity.*[.]$", re.DOTALL), inside=dialog),
+             "what is wrong with it")
         app.retype(entry, "{Ball.vy}^2")
         app.press("Return")
         app.find("button", "Remove {Ball.vy}^2", inside=dialog)
+        wait(lambda: entry.text() == "", "room for another one")
         app.click("Remove Ball.y", inside=dialog)
         wait(lambda: app.look("button", "Remove Ball.y", inside=dialog) is None, "the first curve to go")
         close_dialog(app)

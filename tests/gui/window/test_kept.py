@@ -31,6 +31,12 @@ def test_kept_run_is_shown_renamed_and_taken_away(display):
         app.find_text("Kept as “Run 1”")
         app.click_block("Ball")
         app.enter("Initial Velocity", "Vx", "2")
+        app.press("ctrl+shift+k")
+        dialog = app.find(None, "Kept Runs")
+        app.find("text", "Name of Ball: Vx 1 m/s", inside=dialog)  # as in the legend of the graph
+        app.press("Escape")
+        app.gone(None, "Kept Runs")
+        app.focus_window()
         run(app)
         app.press("ctrl+k")
         app.find_text("Kept as “Ball: Vx 1 → 2 m/s”")
