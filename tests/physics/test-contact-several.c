@@ -334,6 +334,27 @@ static void test_ladder(void)
     }
 }
 
+/* A disc between a push that grows from nothing and a box, which it touches: it would roll, and is held by its friction
+ * on the box, which presses that onto the floor. With n on the box this slides at n = mu (m g + mu' n), where the push
+ * is n (1 + mu'); mu: box on floor, mu': disc on box. Up to then contacts carry loads that begin at 0. */
+static void test_pushed_from_nothing(void)
+{
+    const double floor_mu = sqrt(0.5 * 0.3), box_mu = 0.3, m = 0.5;
+    const double push = floor_mu * m * g * (1 + box_mu) / (1 - floor_mu * box_mu);
+    g_autoptr(PhysicsRun) run =
+        physics_run(&(PhysicsOptions){.duration = 0.5, .columns = "Box 0.x"}, CONTACT_WEIGHT
+                    "{'type': 'support', 'position': [0, -0.2], 'width': 60, 'height': 0.4, 'restitution': 0,"
+                    " 'static_friction': 0.5, 'dynamic_friction': 0.5},"
+                    "{'type': 'disc', 'mass': 3, 'radius': 0.2, 'position': [-0.2, 0.2], 'static_friction': 0.3,"
+                    " 'dynamic_friction': 0.3},"
+                    "{'type': 'box', 'mass': 0.5, 'width': 0.6, 'height': 0.5, 'position': [0.3, 0.25],"
+                    " 'static_friction': 0.3, 'dynamic_friction': 0.3},"
+                    "{'type': 'motor', 'ends': ['Disc 0'], 'waveform': {'expression': '18*t*sin(5*t)'}}");
+    const TinkerEvent *first = g_ptr_array_index(run->summary->events, 0);
+    g_assert_cmpstr(first->kind, ==, "slip");
+    physics_assert_near("push", 18 * first->time * sin(5 * first->time), push, 1e-8 * push);
+}
+
 static void add_tests(void)
 {
     g_test_add_func("/physics/contact-several/into-a-wall", test_into_a_wall);
@@ -349,6 +370,7 @@ static void add_tests(void)
     g_test_add_func("/physics/contact-several/swayed-in-groove", test_swayed_in_groove);
     g_test_add_func("/physics/contact-several/ladder", test_ladder);
     g_test_add_func("/physics/contact-several/pushed-ladder", test_pushed_ladder);
+    g_test_add_func("/physics/contact-several/pushed-from-nothing", test_pushed_from_nothing);
 }
 
 int main(int argc, char **argv)

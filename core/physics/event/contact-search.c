@@ -218,6 +218,18 @@ static TinkerStatus check_between(TinkerContactRun *self, double from, double to
     return status;
 }
 
+/* Whether a force that is nothing at first and has risen by the first node falls before that: as of one that grows with
+ * the second power of time, the polynomial may do so by its own error. */
+static gboolean dips_at_first(const TinkerContactRun *self, const TinkerTrigger *trigger, const double *values,
+                              double place)
+{
+    double most = 0;
+    for (int32_t k = 0; k <= self->degree; k++)
+        most = fmax(most, fabs(values[k]));
+    return !is_of_place(trigger) && place > 0 && place < self->nodes[1] && values[1] > trigger->level &&
+           fabs(values[0]) <= TINKER_NOTHING * most;
+}
+
 static TinkerStatus search_part(TinkerContactRun *self, double from, double to, int depth, TinkerTrigger *found,
                                 double *time);
 
@@ -244,7 +256,9 @@ static TinkerStatus search_part(TinkerContactRun *self, double from, double to, 
     TinkerTrigger unclear = {.kind = TINKER_TRIGGER_NONE};
     for (guint i = 0; i < self->triggers->len; i++) {
         const TinkerTrigger *trigger = &g_array_index(self->triggers, TinkerTrigger, i);
-        double t = first_fall(self, trigger, self->values + i * (guint)(self->degree + 1), from, to, *time);
+        const double *values = self->values + i * (guint)(self->degree + 1);
+        double t = first_fall(self, trigger, values, from, to, *time);
+        if (depth > 0 && dips_at_first(self, trigger, values, (t - from) / (to - from))) t = NAN;
         if (isnan(t)) unclear = *trigger;
         if (!(t < *time)) continue;
         *time = t;
