@@ -306,6 +306,7 @@ static void test_pushed_ladder(void)
                        "{'type': 'motor', 'ends': [{'block': 'Bar 0', 'at': [0.479331122526202, 0]}],"
                        " 'angle': 0.781439939295425, 'waveform': {'expression': '10.1294559709353*t'}}",
         walls[0], walls[1], length, -0.5 * length * cos(lean), 0.5 * length * sin(lean), lean);
+    g_assert_cmpuint(run->summary->events->len, >, 0);
     const TinkerEvent *first = g_ptr_array_index(run->summary->events, 0);
     physics_assert_near("slips", first->time, 0.570296815, 2e-9);
 }
@@ -328,6 +329,7 @@ static void test_ladder(void)
                                        "{'type': 'motor', 'ends': [{'block': 'Bar 0', 'at': [-1, 0]}],"
                                        " 'waveform': {'expression': 't'}}",
                         floor, wall, c, s, G_PI - angles[i]);
+        g_assert_cmpuint(run->summary->events->len, >, 0);
         const TinkerEvent *first = g_ptr_array_index(run->summary->events, 0);
         g_assert_cmpstr(first->kind, ==, "slip");
         physics_assert_near("slips", first->time, mu * (g - mu * leans) - leans, 1e-7);
@@ -350,6 +352,7 @@ static void test_pushed_from_nothing(void)
                     "{'type': 'box', 'mass': 0.5, 'width': 0.6, 'height': 0.5, 'position': [0.3, 0.25],"
                     " 'static_friction': 0.3, 'dynamic_friction': 0.3},"
                     "{'type': 'motor', 'ends': ['Disc 0'], 'waveform': {'expression': '18*t*sin(5*t)'}}");
+    g_assert_cmpuint(run->summary->events->len, >, 0);
     const TinkerEvent *first = g_ptr_array_index(run->summary->events, 0);
     g_assert_cmpstr(first->kind, ==, "slip");
     physics_assert_near("push", 18 * first->time * sin(5 * first->time), push, 1e-8 * push);

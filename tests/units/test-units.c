@@ -169,6 +169,10 @@ static void test_refused(void)
                    "column 2: decimals stand behind a point, not a comma; did you mean \"1.5\"?");
     assert_refused("-,5 kg", mass, TINKER_UNITS_ERROR_SYNTAX,
                    "column 2: decimals stand behind a point, not a comma; did you mean \"-.5\"?");
+    assert_refused("1,000.5 kg", mass, TINKER_UNITS_ERROR_SYNTAX,
+                   "column 2: no commas stand between thousands; did you mean \"1000.5\"?");
+    assert_refused("1,5e3 kg", mass, TINKER_UNITS_ERROR_SYNTAX,
+                   "column 2: decimals stand behind a point, not a comma; did you mean \"1.5e3\"?");
     assert_refused("1,500,000 kg", mass, TINKER_UNITS_ERROR_SYNTAX,
                    "column 2: no commas stand between thousands; did you mean \"1500000\"?");
     assert_refused("1 °x", angle, TINKER_UNITS_ERROR_UNKNOWN, NULL);

@@ -260,8 +260,8 @@ static inline gboolean tinker_contacts_is_pin(const TinkerContacts *contacts, co
     return tinker_contacts_resists(contacts, contact) && contacts->plates[contact->plate].bearer < 0;
 }
 
-/* Whether these plates are of corners of one edge on another, which rub along one line; so is each of them with itself.
- * For a state of the model. */
+/* Whether these plates are of corners of one edge on another, which rub along one line; so is a corner with itself. For
+ * a state of the model. */
 gboolean tinker_contacts_on_one_line(const TinkerContacts *contacts, int32_t number, int32_t other);
 
 /* Whether two corners of one edge stick on another: along it they hold the body by one line together. So does each of

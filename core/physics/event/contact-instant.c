@@ -174,13 +174,13 @@ static gboolean is_behind(const TinkerContactRun *self, const TinkerTrigger *gap
 }
 
 /* Whether a gap was not closed where the step began. */
-static TinkerStatus was_open(TinkerContactRun *self, const TinkerTrigger *gap, double closed, gboolean *open)
+static TinkerStatus was_open(TinkerContactRun *self, const TinkerTrigger *gap, gboolean *open)
 {
-    const gboolean shapes = self->contacts->plates[gap->plate].gap != NULL;
     double *v;
     TinkerStatus status = tinker_contact_run_place_at(self, self->from.t, &v);
-    *open = tinker_trigger_value(self, gap) >= -(shapes ? TINKER_TOUCHING : closed);
-    return status == TINKER_OK ? tinker_contact_run_place_at(self, self->run->state.t, &v) : status;
+    if (status != TINKER_OK) return status;
+    *open = tinker_contact_run_is_before(self, gap, tinker_trigger_value(self, gap));
+    return tinker_contact_run_place_at(self, self->run->state.t, &v);
 }
 
 /* Whether another gap than the event's has closed before it: dense output of a long step may put events in another
@@ -194,7 +194,7 @@ static TinkerStatus has_passed_another(TinkerContactRun *self, const TinkerTrigg
     for (guint i = 0; status == TINKER_OK && i < self->triggers->len && !*passed; i++) {
         const TinkerTrigger *other = &g_array_index(self->triggers, TinkerTrigger, i);
         if (other->kind != TINKER_TRIGGER_GAP || other->row >= 0 || is_same(other, trigger)) continue;
-        if (is_behind(self, other, closed)) status = was_open(self, other, closed, passed);
+        if (is_behind(self, other, closed)) status = was_open(self, other, passed);
     }
     return status;
 }
@@ -219,7 +219,6 @@ static TinkerStatus search_before(TinkerContactRun *self, const TinkerTrigger *e
     memcpy(state->q, q, bytes);
     memcpy(state->v, v, bytes);
     if (books > 0) memcpy(state->books, kept, books);
-    self->carried = TRUE;
     return TINKER_OK;
 }
 
@@ -238,7 +237,8 @@ TinkerStatus tinker_contact_run_end_at(TinkerContactRun *self, const TinkerTrigg
         const gboolean ends_earlier = self->run->state.t < end; /* and not at the event */
         if (ends_earlier) self->pending = FALSE;
         if (status != TINKER_OK || earlier.kind == TINKER_TRIGGER_NONE) return status;
-        if ((is_same(&earlier, &first) && !ends_earlier) || ++times == MOST_EARLIER) return TINKER_OK;
+        if (is_same(&earlier, &first) && !ends_earlier) return TINKER_OK;
+        if (++times == MOST_EARLIER) return end_at_fall(self, &earlier, time, slope, report);
         first = earlier;
         self->pending = FALSE;
     }

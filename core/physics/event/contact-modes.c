@@ -212,6 +212,7 @@ static TinkerContactResult solve_limits(const TinkerContactChange *change, Tinke
 static TinkerContactResult ask_modes(TinkerContactChange *change, TinkerContactLaws *laws, double scale)
 {
     for (guint i = 0; i < laws->count; i++) {
+        tinker_touch(change, i)->contact.at_limit = FALSE;
         laws->sliding[i] = sliding_of(change, i, scale);
         const TinkerSurface surface = tinker_touch_surface(change, i);
         laws->first[i] = surface.static_friction;

@@ -188,7 +188,8 @@ void tinker_contact_run_note_overlaps(TinkerContactRun *self)
 {
     TinkerContacts *contacts = self->contacts;
     for (int32_t i = 0; i < contacts->pair_count; i++)
-        contacts->pairs[i].passes = tinker_contact_pair_overlap(contacts, &contacts->pairs[i]) > TINKER_TOUCHING;
+        contacts->pairs[i].passes =
+            tinker_contact_pair_overlap(contacts, &contacts->pairs[i]) > tinker_contact_run_touching(self);
 }
 
 /* Whether a gap of the pair has just opened, and is watched by its acceleration. */
@@ -225,13 +226,15 @@ TinkerStatus tinker_contact_run_watch_overlaps(TinkerContactRun *self)
     if (status != TINKER_OK) return status;
     tinker_island_run_place(run);
     tinker_model_set_state(self->model, run->q, run->v);
+    const double touching = tinker_contact_run_touching(self);
     for (int32_t i = 0; i < contacts->pair_count && status == TINKER_OK; i++) {
         TinkerTouchingPair *pair = &contacts->pairs[i];
         const double overlap = tinker_contact_pair_overlap(contacts, pair);
-        const gboolean bodies = pair->point[1]<self->model->bodies, passes = overlap> TINKER_TOUCHING;
-        if (passes && !pair->passes && bodies && !has_just_parted(self, pair))
-            status = tell_missed(self, pair, overlap);
-        pair->passes = passes || (pair->passes && overlap > 0);
+        const gboolean overlaps = overlap > touching;
+        const gboolean bodies = pair->point[1] < self->model->bodies;
+        const gboolean parted = bodies && has_just_parted(self, pair);
+        if (overlaps && bodies && !parted && !pair->passes) status = tell_missed(self, pair, overlap);
+        pair->passes = (overlaps && !parted) || (pair->passes && overlap > 0);
     }
     return status;
 }

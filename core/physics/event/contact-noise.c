@@ -41,6 +41,17 @@ double tinker_contact_run_closed_gap(const TinkerContactRun *self)
     return TINKER_CLOSED_GAP * size + TINKER_INSTANT * fabs(run->state.t) * fmax(speed, self->contacts->plate_speed);
 }
 
+double tinker_contact_run_touching(const TinkerContactRun *self)
+{
+    return fmax(TINKER_TOUCHING, tinker_contact_run_closed_gap(self));
+}
+
+gboolean tinker_contact_run_is_before(const TinkerContactRun *self, const TinkerTrigger *gap, double value)
+{
+    const gboolean shapes = gap->row < 0 && self->contacts->plates[gap->plate].gap != NULL;
+    return value >= -(shapes ? tinker_contact_run_touching(self) : tinker_contact_run_closed_gap(self));
+}
+
 gboolean tinker_contact_run_leaves(const TinkerContactRun *self, const TinkerContactPair *sought)
 {
     for (guint i = 0; i < self->leaving->len; i++) {

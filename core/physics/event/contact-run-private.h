@@ -205,6 +205,11 @@ TinkerStatus tinker_contact_run_make_room(TinkerContactRun *contact_run);
 
 /* Within this (m) of 0 a gap is closed: rounding, or another body at the same instant. */
 double tinker_contact_run_closed_gap(const TinkerContactRun *contact_run);
+/* How far (m) shapes may overlap that touch: what overlaps by more passes, or was missed. */
+double tinker_contact_run_touching(const TinkerContactRun *contact_run);
+/* Whether a gap of this value (m) is open, or closed: what is farther behind, where the step begins, came from there.
+ */
+gboolean tinker_contact_run_is_before(const TinkerContactRun *contact_run, const TinkerTrigger *gap, double value);
 
 /* Places (m) are no more exact than this over the first steps of a method that remembers its steps; 0 of others. */
 double tinker_contact_run_place_noise(const TinkerContactRun *contact_run);

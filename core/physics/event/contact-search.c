@@ -98,14 +98,10 @@ static gboolean meets(TinkerContactRun *self, const TinkerTrigger *trigger, doub
 /* Whether it has fallen by the first node, from a value that is nothing beside what follows. */
 static gboolean falls_soon(const TinkerContactRun *self, const TinkerTrigger *trigger, const double *values)
 {
-    double most = 0;
-    for (int32_t k = 0; k <= self->degree; k++)
-        most = fmax(most, fabs(values[k]));
+    const double most = tinker_largest(self->degree + 1, values);
     if (!(values[1] < trigger->level) || values[0] > TINKER_NOTHING * most) return FALSE;
     if (trigger->kind != TINKER_TRIGGER_GAP) return TRUE;
-    const gboolean shapes = trigger->row < 0 && self->contacts->plates[trigger->plate].gap != NULL;
-    /* of shapes what overlaps by more passes (TinkerTouchingPair), and what is farther behind came from there */
-    return values[0] >= -(shapes ? TINKER_TOUCHING : tinker_contact_run_closed_gap(self));
+    return tinker_contact_run_is_before(self, trigger, values[0]);
 }
 
 /* How fast what is left of a top grows, towards the end that the trigger is of; where that is nothing, whether it is to
@@ -148,9 +144,7 @@ static gboolean rises_first(TinkerContactRun *self, const TinkerTrigger *trigger
  * back below the level, or starts at 0 but for rounding, has to be looked at. A force below its level is an event. */
 static gboolean comes_up(const TinkerContactRun *self, const TinkerTrigger *trigger, const double *values)
 {
-    double most = 0;
-    for (int32_t k = 0; k <= self->degree; k++)
-        most = fmax(most, fabs(values[k]));
+    const double most = tinker_largest(self->degree + 1, values);
     if (!is_of_place(trigger) || !(values[0] < fmin(trigger->level, -TINKER_NOTHING * most))) return FALSE;
     for (int32_t k = 1; k <= self->degree && values[k - 1] <= trigger->level; k++)
         if (!(values[k] >= values[k - 1])) return FALSE;
@@ -223,9 +217,7 @@ static TinkerStatus check_between(TinkerContactRun *self, double from, double to
 static gboolean dips_at_first(const TinkerContactRun *self, const TinkerTrigger *trigger, const double *values,
                               double place)
 {
-    double most = 0;
-    for (int32_t k = 0; k <= self->degree; k++)
-        most = fmax(most, fabs(values[k]));
+    const double most = tinker_largest(self->degree + 1, values);
     return !is_of_place(trigger) && place > 0 && place < self->nodes[1] && values[1] > trigger->level &&
            fabs(values[0]) <= TINKER_NOTHING * most;
 }

@@ -302,11 +302,14 @@ static gboolean fail_comma(const UnitReader *reader, const char *start, const ch
     int commas = 0;
     for (; g_ascii_isdigit(*end) || (*end == ',' && g_ascii_isdigit(end[1])); end++)
         commas += *end == ',';
+    const gboolean decimals = commas == 1 && *end != '.';
     g_autoptr(GString) meant = g_string_new_len(start, end - start);
-    g_string_replace(meant, ",", commas == 1 ? "." : "", 0);
+    g_string_replace(meant, ",", decimals ? "." : "", 0);
+    g_string_append(meant, end); /* decimals, and a power of ten */
+    g_string_truncate(meant, (gsize)(number_end(meant->str) - meant->str));
     g_autofree char *message =
-        g_strdup_printf(commas == 1 ? _("decimals stand behind a point, not a comma; did you mean \"%s\"?")
-                                    : _("no commas stand between thousands; did you mean \"%s\"?"),
+        g_strdup_printf(decimals ? _("decimals stand behind a point, not a comma; did you mean \"%s\"?")
+                                 : _("no commas stand between thousands; did you mean \"%s\"?"),
                         meant->str);
     return fail(reader, TINKER_UNITS_ERROR_SYNTAX, comma, message);
 }
