@@ -269,9 +269,10 @@ static void test_swayed_in_groove(void)
     const double right = 0.399455481177645, left = -0.887256337605308, radius = 0.331242675625493;
     const double x = -radius * (cos(left) - cos(right)) / sin(right - left),
                  y = radius * (sin(right) - sin(left)) / sin(right - left);
-    g_autofree char *walls[] = {
-        contact_plate(0, 0, right, 40, "'static_friction': 0.316364744331185, 'dynamic_friction': 0.17223653191865"),
-        contact_plate(0, 0, left, 40, "'static_friction': 0.659417789925834, 'dynamic_friction': 0.651724385929271")};
+    g_autofree char *right_wall =
+        contact_plate(0, 0, right, 40, "'static_friction': 0.316364744331185, 'dynamic_friction': 0.17223653191865");
+    g_autofree char *left_wall =
+        contact_plate(0, 0, left, 40, "'static_friction': 0.659417789925834, 'dynamic_friction': 0.651724385929271");
     g_autoptr(PhysicsRun) run = physics_run(
         &(PhysicsOptions){.duration = 1.18, .columns = "Disc 0.x, Disc 0.angle"},
         CONTACT_WEIGHT
@@ -279,7 +280,7 @@ static void test_swayed_in_groove(void)
         " 'rolling_resistance': 0.054215732963130},"
         "{'type': 'motor', 'ends': [{'block': 'Disc 0', 'at': [-0.167979205476438, 0.0946236607625299]}],"
         " 'angle': 1.14918395376256, 'waveform': {'expression': '15.4855471162093*t*sin(5.96283297878942*t)'}}",
-        walls[0], walls[1], radius, x, y);
+        right_wall, left_wall, radius, x, y);
     const double slips = 1.135061112852816;
     contact_assert_event(run, "slip", "Disc 0, Support 0", slips, 1e-9);
     contact_assert_count(run, "slip", 1);
@@ -294,18 +295,17 @@ static void test_swayed_in_groove(void)
 static void test_pushed_ladder(void)
 {
     const double length = 1.20487687670799, lean = 1.91401690461618;
-    g_autofree char *walls[] = {
-        contact_plate(0, 0, 0, 60, "'static_friction': 0.196142420619274, 'dynamic_friction': 0.125255095885553"),
-        contact_plate(0, 0, -G_PI / 2, 60,
-                      "'static_friction': 0.696677816805085, 'dynamic_friction': 0.57402406479358"),
-    };
+    g_autofree char *floor =
+        contact_plate(0, 0, 0, 60, "'static_friction': 0.196142420619274, 'dynamic_friction': 0.125255095885553");
+    g_autofree char *wall = contact_plate(0, 0, -G_PI / 2, 60,
+                                          "'static_friction': 0.696677816805085, 'dynamic_friction': 0.57402406479358");
     g_autoptr(PhysicsRun) run = physics_run(
         &(PhysicsOptions){.duration = 0.6, .columns = "Bar 0.x"},
         CONTACT_WEIGHT "%s, %s, {'type': 'bar', 'mass': 2.84524617066364, 'length': %.17g, 'width': 0, 'solid': true,"
                        " 'position': [%.17g, %.17g], 'orientation': %.17g},"
                        "{'type': 'motor', 'ends': [{'block': 'Bar 0', 'at': [0.479331122526202, 0]}],"
                        " 'angle': 0.781439939295425, 'waveform': {'expression': '10.1294559709353*t'}}",
-        walls[0], walls[1], length, -0.5 * length * cos(lean), 0.5 * length * sin(lean), lean);
+        floor, wall, length, -0.5 * length * cos(lean), 0.5 * length * sin(lean), lean);
     g_assert_cmpuint(run->summary->events->len, >, 0);
     const TinkerEvent *first = g_ptr_array_index(run->summary->events, 0);
     physics_assert_near("slips", first->time, 0.570296815, 2e-9);

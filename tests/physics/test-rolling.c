@@ -87,15 +87,16 @@ static void test_rocks_down(void)
     const double x = -r * (cos(left) - cos(right)) / sin(right - left),
                  y = r * (sin(right) - sin(left)) / sin(right - left);
     for (int i = 0; i < 2; i++) {
-        g_autofree char *walls[] = {
-            contact_plate(0, 0, right, 40, "'static_friction': 0.8775, 'dynamic_friction': 0.8775"),
-            contact_plate(0, 0, left, 40, "'static_friction': 0.5787, 'dynamic_friction': 0.5787")};
+        g_autofree char *right_wall =
+            contact_plate(0, 0, right, 40, "'static_friction': 0.8775, 'dynamic_friction': 0.8775");
+        g_autofree char *left_wall =
+            contact_plate(0, 0, left, 40, "'static_friction': 0.5787, 'dynamic_friction': 0.5787");
         g_autoptr(PhysicsRun) run =
             physics_run(&(PhysicsOptions){.duration = 1.5, .columns = "Disc 0.x, Disc 0.y, Disc 0.speed"},
                         CONTACT_WEIGHT "%s, %s, {'type': 'disc', 'radius': %.17g, 'position': [%.17g, %.17g],"
                                        " 'angular_velocity': 0.5159302025397174, 'static_friction': 0.6454880066547126,"
                                        " 'dynamic_friction': 0.4856351776494283%s}",
-                        walls[0], walls[1], r, x, y, i == 0 ? "" : ", 'rolling_resistance': 0.02876755531910319");
+                        right_wall, left_wall, r, x, y, i == 0 ? "" : ", 'rolling_resistance': 0.02876755531910319");
         physics_assert_near("x", physics_last(run, 0), x, 1e-12);
         physics_assert_near("y", physics_last(run, 1), y, 1e-12);
         physics_assert_near("speed", physics_last(run, 2), 0, 1e-30);
