@@ -14,13 +14,6 @@ typedef struct {
 
 /* Names and values ------------------------------------------------------------------------------------------------- */
 
-static const char *const behind[] = {"", "_d", "_dd"};
-
-static char *name_of(const char *index, int dots)
-{
-    return g_strconcat("angle", behind[dots], index[0] != '\0' ? "_" : "", index, NULL);
-}
-
 /* Of a body that turns: its own angle, turned so that it is that of the way from its joint to its centre. */
 static void value_of_body(const TinkerEquations *equations, TinkerRodAngle *angle)
 {
@@ -63,9 +56,9 @@ static void name_angle(const Writer *writer, TinkerRodAngle *angle)
     TinkerEquations *equations = writer->equations;
     g_autofree char *place = g_strconcat(tinker_scene_block_name(equations->scene, angle->body), ".x", NULL);
     const char *index = ((const TinkerEquationLook *)g_hash_table_lookup(equations->looks, place))->index;
-    angle->angle = name_of(index, 0);
-    angle->rate = name_of(index, 1);
-    angle->acceleration = name_of(index, 2);
+    angle->angle = tinker_equations_name("angle", index, 0, NULL);
+    angle->rate = tinker_equations_name("angle", index, 1, NULL);
+    angle->acceleration = tinker_equations_name("angle", index, 2, NULL);
     show_angle(equations, angle, index);
     if (angle->turns)
         value_of_body(equations, angle);
@@ -201,7 +194,7 @@ static void add_trees(TinkerAngleForm *form, TinkerEquations *equations, const G
     }
 }
 
-static void mark_all(const TinkerEquations *equations, const TinkerAngleForm *form, GHashTable *needed)
+void tinker_angle_form_mark(const TinkerAngleForm *form, const TinkerEquations *equations, GHashTable *needed)
 {
     for (guint i = 0; i < form->trees->len; i++) {
         const TinkerAngleTree *tree = g_ptr_array_index(form->trees, i);
@@ -211,7 +204,6 @@ static void mark_all(const TinkerEquations *equations, const TinkerAngleForm *fo
     for (guint i = 0; i < form->definitions->len; i++)
         tinker_equations_mark(equations, ((TinkerEquationDefinition *)g_ptr_array_index(form->definitions, i))->is,
                               needed);
-    tinker_equations_mark_definitions(equations, needed);
 }
 
 /* What acts on a body somewhere is written with the body's own angle, which has another value than that of the way from
@@ -219,7 +211,8 @@ static void mark_all(const TinkerEquations *equations, const TinkerAngleForm *fo
 static void tell_angles_apart(TinkerEquations *equations, const TinkerAngleForm *form)
 {
     g_autoptr(GHashTable) needed = g_hash_table_new(g_str_hash, g_str_equal);
-    mark_all(equations, form, needed);
+    tinker_angle_form_mark(form, equations, needed);
+    tinker_equations_mark_definitions(equations, needed);
     for (guint i = 0; i < form->trees->len; i++) {
         const TinkerAngleTree *tree = g_ptr_array_index(form->trees, i);
         for (guint k = 0; k < tree->angles->len; k++) {

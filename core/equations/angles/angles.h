@@ -30,6 +30,8 @@ typedef struct {
 
 /* The trees of rods of a scene; adds the looks of their symbols to the equations. (transfer full) */
 TinkerAngleForm *tinker_angle_form_new(TinkerEquations *equations);
+/* Adds the names that its equations need, and its definitions. */
+void tinker_angle_form_mark(const TinkerAngleForm *form, const TinkerEquations *equations, GHashTable *needed);
 void tinker_angle_form_free(TinkerAngleForm *form);
 G_DEFINE_AUTOPTR_CLEANUP_FUNC(TinkerAngleForm, tinker_angle_form_free)
 

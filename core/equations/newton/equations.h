@@ -123,6 +123,8 @@ TinkerEquations *tinker_equations_new(TinkerScene *scene, const TinkerModelState
 void tinker_equations_free(TinkerEquations *equations);
 G_DEFINE_AUTOPTR_CLEANUP_FUNC(TinkerEquations, tinker_equations_free)
 
+/* A name of these: "k_1", "x_d_2"; `component`, or NULL, stands behind the stem. (transfer full) */
+char *tinker_equations_name(const char *stem, const char *index, int dots, const char *component);
 /* How a name looks from here on; no free name gets that look. The texts are copied. */
 void tinker_equations_add_look(TinkerEquations *equations, const char *name, const char *stem, const char *index,
                                int dots, const char *component);

@@ -117,7 +117,7 @@ const char *tinker_writer_index(const TinkerEquationWriter *writer, TinkerBlockI
     return index != NULL ? index : "";
 }
 
-static char *joined(const char *stem, const char *index, int dots, const char *component)
+char *tinker_equations_name(const char *stem, const char *index, int dots, const char *component)
 {
     static const char *const derivatives[] = {"", "_d", "_dd"};
     return g_strconcat(stem, component != NULL ? component : "", derivatives[dots], index[0] != '\0' ? "_" : "", index,
@@ -130,12 +130,12 @@ void tinker_equations_add_look(TinkerEquations *equations, const char *name, con
     TinkerEquationLook *look = g_new(TinkerEquationLook, 1);
     *look = (TinkerEquationLook){g_strdup(stem), g_strdup(index), dots, g_intern_string(component)};
     g_hash_table_insert(equations->looks, g_strdup(name), look);
-    g_hash_table_add(equations->taken, joined(stem, index, dots, component));
+    g_hash_table_add(equations->taken, tinker_equations_name(stem, index, dots, component));
 }
 
 void tinker_equations_reserve(TinkerEquations *equations, const char *stem, const char *index)
 {
-    g_hash_table_add(equations->taken, joined(stem, index, 0, NULL));
+    g_hash_table_add(equations->taken, tinker_equations_name(stem, index, 0, NULL));
 }
 
 char *tinker_equations_free_index(const TinkerEquations *equations, TinkerBlockId block, const char *stem,
@@ -143,7 +143,7 @@ char *tinker_equations_free_index(const TinkerEquations *equations, TinkerBlockI
 {
     char *shown = g_strdup(index);
     for (int again = 0;; again++) {
-        g_autofree char *name = joined(stem, shown, dots, component);
+        g_autofree char *name = tinker_equations_name(stem, shown, dots, component);
         if (!g_hash_table_contains(equations->taken, name)) return shown;
         /* taken by a block of another group: by the block's own name, which is unique, and that in turn by a number */
         const char *own = block >= 0 ? tinker_scene_block_name(equations->scene, block) : "";
@@ -156,7 +156,7 @@ const char *tinker_equations_free_name(TinkerEquations *equations, TinkerBlockId
                                        const char *index, int dots, const char *component)
 {
     g_autofree char *shown = tinker_equations_free_index(equations, block, stem, index, dots, component);
-    g_autofree char *name = joined(stem, shown, dots, component);
+    g_autofree char *name = tinker_equations_name(stem, shown, dots, component);
     gpointer kept = NULL;
     tinker_equations_add_look(equations, name, stem, shown, dots, component);
     g_hash_table_lookup_extended(equations->looks, name, &kept, NULL);

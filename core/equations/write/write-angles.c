@@ -50,14 +50,12 @@ void tinker_equations_put_angles(TinkerPage *page, const TinkerAngleForm *form, 
     for (guint i = 0; i < form->trees->len; i++) {
         const TinkerAngleTree *tree = g_ptr_array_index(form->trees, i);
         write_tree(page, tree);
-        for (guint k = 0; k < tree->equations->len; k++)
-            tinker_equations_mark(equations, g_ptr_array_index(tree->equations, k), needed);
     }
+    tinker_angle_form_mark(form, equations, needed);
     write_lengths(page, form, needed);
     if (form->definitions->len > 0) tinker_page_heading(page, C_("equations", "moved by"));
     for (guint i = 0; i < form->definitions->len; i++) {
         const TinkerEquationDefinition *definition = g_ptr_array_index(form->definitions, i);
-        tinker_equations_mark(equations, definition->is, needed);
         tinker_page_equation(page, tinker_page_symbol(page, definition->name),
                              tinker_page_expression(page, definition->is),
                              g_strdup(tinker_page_words(definition->means)));

@@ -238,8 +238,8 @@ TinkerStatus tinker_contact_run_end_at(TinkerContactRun *self, const TinkerTrigg
         if (ends_earlier) self->pending = FALSE;
         if (status != TINKER_OK || earlier.kind == TINKER_TRIGGER_NONE) return status;
         if (is_same(&earlier, &first) && !ends_earlier) return TINKER_OK;
-        if (++times == MOST_EARLIER) return end_at_fall(self, &earlier, time, slope, report);
         first = earlier;
         self->pending = FALSE;
+        if (++times == MOST_EARLIER) return end_at_fall(self, &first, time, slope, report);
     }
 }

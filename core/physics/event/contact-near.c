@@ -187,9 +187,10 @@ void tinker_contact_run_note_quiet(TinkerContactRun *self, const double *x, cons
 void tinker_contact_run_note_overlaps(TinkerContactRun *self)
 {
     TinkerContacts *contacts = self->contacts;
+    if (contacts->pair_count == 0) return;
+    const double touching = tinker_contact_run_touching(self);
     for (int32_t i = 0; i < contacts->pair_count; i++)
-        contacts->pairs[i].passes =
-            tinker_contact_pair_overlap(contacts, &contacts->pairs[i]) > tinker_contact_run_touching(self);
+        contacts->pairs[i].passes = tinker_contact_pair_overlap(contacts, &contacts->pairs[i]) > touching;
 }
 
 /* Whether a gap of the pair has just opened, and is watched by its acceleration. */
@@ -232,7 +233,7 @@ TinkerStatus tinker_contact_run_watch_overlaps(TinkerContactRun *self)
         const double overlap = tinker_contact_pair_overlap(contacts, pair);
         const gboolean overlaps = overlap > touching;
         const gboolean bodies = pair->point[1] < self->model->bodies;
-        const gboolean parted = bodies && has_just_parted(self, pair);
+        const gboolean parted = overlaps && bodies && has_just_parted(self, pair);
         if (overlaps && bodies && !parted && !pair->passes) status = tell_missed(self, pair, overlap);
         pair->passes = (overlaps && !parted) || (pair->passes && overlap > 0);
     }
