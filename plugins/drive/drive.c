@@ -94,7 +94,7 @@ static const TinkerPropertyType properties[] = {
     {TINKER_REAL_PROPERTY("speed", "Speed", "Drive", TINKER_DIMENSION_ANGULAR_FREQUENCY),
      TINKER_ANY_VALUE(0, -20.0, 20.0), .default_value = {1.0}, .symbol = "n", .variability = TINKER_STRUCTURAL,
      .description = "How fast it turns, counter-clockwise, beside the waveform"},
-    {TINKER_WAVEFORM_IN_PANEL(-1, "waveform", "Type", "Drive", "none", TINKER_DIMENSION_ANGLE), .symbol = "w",
+    {TINKER_WAVEFORM_IN_PANEL(-1, "waveform", "Type", "Drive", "none", TINKER_DIMENSION_ANGLE), .symbol = "u",
      .variability = TINKER_STRUCTURAL,
      .description = "Angle that is added, as a function of time, less its value at t = 0"},
     {TINKER_REAL_PROPERTY("amplitude", "Amplitude", "Drive", TINKER_DIMENSION_ANGLE), TINKER_ANY_VALUE(0, -20.0, 20.0),
@@ -109,7 +109,7 @@ static const TinkerPropertyType properties[] = {
 };
 
 static const TinkerLawEquation law[] = {
-    TINKER_EQUATION("g", "theta1 - theta2 - (theta1_start - theta2_start) - n*t - (w - w_start)", NULL,
+    TINKER_EQUATION("g", "theta1 - theta2 - (theta1_start - theta2_start) - n*t - (u - u_start)", NULL,
                     TINKER_DIMENSION_ANGLE),
 };
 

@@ -141,7 +141,7 @@ static TinkerStatus values(TinkerBatch *batch, const TinkerGraphInput *input, in
 /* Tables */
 
 static const TinkerPropertyType properties[] = {
-    {TINKER_WAVEFORM_IN_PANEL(-1, "waveform", "Type", "Force", "cosine", TINKER_DIMENSION_FORCE), .symbol = "w",
+    {TINKER_WAVEFORM_IN_PANEL(-1, "waveform", "Type", "Force", "cosine", TINKER_DIMENSION_FORCE), .symbol = "F",
      .variability = TINKER_TUNABLE, .description = "How the force depends on time"},
     {TINKER_REAL_PROPERTY("amplitude", "Amplitude", "Force", TINKER_DIMENSION_FORCE), TINKER_ANY_VALUE(0, -20.0, 20.0),
      .default_value = {1.0}, .symbol = "A", .variability = TINKER_TUNABLE, .description = "Greatest force"},
@@ -159,8 +159,8 @@ static const TinkerPropertyType properties[] = {
 };
 
 static const TinkerLawEquation law[] = {
-    TINKER_EQUATION("force_x", "w*cos(θ + f*theta)", NULL, TINKER_DIMENSION_FORCE),
-    TINKER_EQUATION("force_y", "w*sin(θ + f*theta)", NULL, TINKER_DIMENSION_FORCE),
+    TINKER_EQUATION("force_x", "F*cos(θ + f*theta)", NULL, TINKER_DIMENSION_FORCE),
+    TINKER_EQUATION("force_y", "F*sin(θ + f*theta)", NULL, TINKER_DIMENSION_FORCE),
 };
 
 static const TinkerQuantityType quantities[] = {

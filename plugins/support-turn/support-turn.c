@@ -75,7 +75,7 @@ static TinkerStatus values(TinkerBatch *batch, const TinkerGraphInput *input, in
 
 static const TinkerPropertyType properties[] = {
     {TINKER_WAVEFORM_IN_PANEL(PANEL_OF_SUPPORT, "waveform", "Type", "Turning", "none", TINKER_DIMENSION_ANGLE),
-     .symbol = "w", .variability = TINKER_STRUCTURAL, .description = "How the angle depends on time"},
+     .symbol = "u", .variability = TINKER_STRUCTURAL, .description = "How the angle depends on time"},
     {TINKER_PROPERTY_IN_PANEL(PANEL_OF_SUPPORT, TINKER_KIND_REAL, "amplitude", "Amplitude", "Turning",
                               TINKER_DIMENSION_ANGLE),
      TINKER_ANY_VALUE(0, -TINKER_PI, TINKER_PI), .symbol = "A", .variability = TINKER_STRUCTURAL,
@@ -90,7 +90,7 @@ static const TinkerPropertyType properties[] = {
 };
 
 static const TinkerLawEquation law[] = {
-    TINKER_EQUATION("rotation", "w", NULL, TINKER_DIMENSION_ANGLE),
+    TINKER_EQUATION("rotation", "u", NULL, TINKER_DIMENSION_ANGLE),
 };
 
 static const TinkerQuantityType quantities[] = {

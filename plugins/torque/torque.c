@@ -86,7 +86,7 @@ static TinkerStatus values(TinkerBatch *batch, const TinkerGraphInput *input, in
 /* Tables */
 
 static const TinkerPropertyType properties[] = {
-    {TINKER_WAVEFORM_IN_PANEL(-1, "waveform", "Type", "Torque", "cosine", TINKER_DIMENSION_TORQUE), .symbol = "w",
+    {TINKER_WAVEFORM_IN_PANEL(-1, "waveform", "Type", "Torque", "cosine", TINKER_DIMENSION_TORQUE), .symbol = "M",
      .variability = TINKER_TUNABLE, .description = "How the torque depends on time"},
     {TINKER_REAL_PROPERTY("amplitude", "Amplitude", "Torque", TINKER_DIMENSION_TORQUE),
      TINKER_ANY_VALUE(0, -20.0, 20.0), .default_value = {1.0}, .symbol = "A", .variability = TINKER_TUNABLE,
@@ -99,9 +99,9 @@ static const TinkerPropertyType properties[] = {
 };
 
 static const TinkerLawEquation law[] = {
-    TINKER_EQUATION("torque", "w", NULL, TINKER_DIMENSION_TORQUE),
-    TINKER_EQUATION("torque1", "w", NULL, TINKER_DIMENSION_TORQUE),
-    TINKER_EQUATION("torque2", "-w", NULL, TINKER_DIMENSION_TORQUE),
+    TINKER_EQUATION("torque", "M", NULL, TINKER_DIMENSION_TORQUE),
+    TINKER_EQUATION("torque1", "M", NULL, TINKER_DIMENSION_TORQUE),
+    TINKER_EQUATION("torque2", "-M", NULL, TINKER_DIMENSION_TORQUE),
 };
 
 static const TinkerQuantityType quantities[] = {

@@ -347,7 +347,7 @@ static void test_gears(CliFixture *fixture, gconstpointer data)
     g_assert_nonnull(cJSON_GetObjectItem(cJSON_GetObjectItem(angular, "impulses"), "Outer"));
     cJSON_Delete(root);
     static const char *const lines[] = {"0 = θ₂ − θ0_4,2 + i₄ (θ₁ − θ0_4,1) ", "0 = θ₃ − θ0_5,2 − i₅ (θ₂ − θ0_5,1) ",
-                                        "+ w   Outer + Motor", NULL};
+                                        "+ M   Outer + Motor", NULL};
     assert_page_holds(fixture, "equations @scene.json", lines);
 }
 

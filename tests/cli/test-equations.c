@@ -286,6 +286,39 @@ static void test_formats(CliFixture *fixture, gconstpointer data)
     cli_assert_holds(mathml->output, "</html>");
 }
 
+/* A number that is typed for a force is one of newtons, and stands in the equations by a symbol that says so. */
+static void test_typed_number(CliFixture *fixture, gconstpointer data)
+{
+    static const char *const blocks[] = {
+        "{\"type\": \"motor\", \"name\": \"Push\", \"ends\": [\"Load\"], \"waveform\": {\"expression\": \"10\"}}",
+        "{\"type\": \"law-force\", \"name\": \"Push\", \"ends\": [\"Load\"], \"force_x\": \"10\"}",
+        "{\"type\": \"law-force\", \"name\": \"Push\", \"ends\": [\"Load\"], \"potential\": \"-10*x\"}",
+    };
+    for (gsize i = 0; i < G_N_ELEMENTS(blocks); i++) {
+        g_autofree char *text = g_strdup_printf("{\"tinker\": 1, \"run\": {}, \"blocks\": [{\"type\": \"mass\", "
+                                                "\"name\": \"Load\"}, %s]}",
+                                                blocks[i]);
+        g_autofree char *scene = cli_write(fixture, "scene.json", text);
+        g_autoptr(TestProgram) program = cli_run_well(fixture, "equations @scene.json --as json");
+        cJSON *root = cJSON_Parse(program->output);
+        g_assert_nonnull(root);
+        const cJSON *body = cJSON_GetArrayItem(cJSON_GetObjectItem(root, "bodies"), 0);
+        const cJSON *term = cJSON_GetArrayItem(cJSON_GetObjectItem(body, "terms"), 0);
+        const cJSON *definition, *x = cJSON_GetObjectItem(term, "x");
+        const char *unit = NULL;
+        if (cJSON_IsArray(x)) x = cJSON_GetArrayItem(x, 1); /* of F*cos(angle) */
+        g_assert_true(cJSON_IsString(x));
+        cJSON_ArrayForEach(definition, cJSON_GetObjectItem(root, "definitions"))
+        {
+            if (!g_str_equal(cJSON_GetObjectItem(definition, "symbol")->valuestring, x->valuestring)) continue;
+            unit = cJSON_GetObjectItem(definition, "unit")->valuestring;
+            g_assert_cmpfloat(cJSON_GetObjectItem(definition, "is")->valuedouble, ==, 10);
+        }
+        g_assert_cmpstr(unit, ==, "N");
+        cJSON_Delete(root);
+    }
+}
+
 static void test_refused(CliFixture *fixture, gconstpointer data)
 {
     g_autofree char *scene = cli_write(fixture, "scene.json", HANGING);
@@ -311,6 +344,7 @@ int main(int argc, char **argv)
     cli_test_add("/cli/equations/rounding", test_rounding);
     cli_test_add("/cli/equations/motion-without-law", test_motion_without_law);
     cli_test_add("/cli/equations/formats", test_formats);
+    cli_test_add("/cli/equations/typed-number", test_typed_number);
     cli_test_add("/cli/equations/refused", test_refused);
     return g_test_run();
 }

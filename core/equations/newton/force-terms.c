@@ -24,7 +24,7 @@ static TinkerExpression *by_place(TinkerEquationWriter *writer, const TinkerExpr
 static TinkerExpression *as_typed(TinkerEquationWriter *writer, TinkerBlockId block, const TinkerBlockLaw *law,
                                   const char *index, const char *component, TinkerExpression *is)
 {
-    if (!law->typed || is == NULL || is->kind == TINKER_EXPRESSION_NUMBER) return is;
+    if (!law->typed || is == NULL || tinker_expression_is_number(is, 0)) return is;
     const char *name = index != NULL ? tinker_equations_free_name(writer->equations, block, "F", index, 0, component)
                                      : tinker_writer_name(writer, block, "F", 0, component);
     return tinker_writer_define(writer, name, block, tinker_force_dimension, "its force", is, TRUE);

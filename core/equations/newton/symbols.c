@@ -254,7 +254,8 @@ static TinkerExpression *waveform(TinkerEquationWriter *writer, const TinkerLawU
                                      tinker_expression_call(kind == TINKER_WAVEFORM_SINE ? "sin" : "cos", phase));
     }
     if (symbol->at_start) is = at_start(is);
-    if (is->kind == TINKER_EXPRESSION_NUMBER) return is;
+    /* any other number is one of SI that lacks its unit */
+    if (tinker_expression_is_number(is, 0)) return is;
     const char *name = tinker_writer_name(writer, block, stem, 0, NULL);
     return tinker_writer_define(writer, name, block, symbol->dimension, type->description, is,
                                 kind == TINKER_WAVEFORM_EXPRESSION);
