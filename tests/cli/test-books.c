@@ -202,6 +202,31 @@ static void test_dumbbell(CliFixture *fixture, gconstpointer data)
     cJSON_Delete(root);
 }
 
+/* A ball that bounces down to rest pulls by a rod at a plate on the floor, less and less: what stops the plate where it
+ * slides too slowly to be seen is the floor's, as all else that does. */
+#define PULLED_LESS                                                                                                    \
+    "{\"tinker\": 1, \"run\": {\"duration\": 2.2, \"tolerance\": 1e-12}, \"blocks\": [{\"type\": \"gravity\"},"        \
+    "{\"type\": \"support\", \"name\": \"Floor\", \"width\": 40, \"height\": 0.4, \"restitution\": 0.3,"               \
+    " \"static_friction\": 0.287, \"dynamic_friction\": 0.243},"                                                       \
+    "{\"type\": \"plate\", \"name\": \"Plate\", \"mass\": 2.732, \"position\": [-4.471, 0.5], \"velocity\": [-0.124, " \
+    "0],"                                                                                                              \
+    " \"corners\": [[0.4, 0.3], [-0.4, 0.3], [-0.5, -0.3], [0.5, -0.3]]},"                                             \
+    "{\"type\": \"mass\", \"name\": \"Ball\", \"mass\": 0.866, \"width\": 0.6, \"height\": 0.8, "                      \
+    "\"position\": [1.639, 1.042], \"velocity\": [1.93, 0]},"                                                          \
+    "{\"type\": \"rod\", \"name\": \"Rod\", \"ends\": [\"Ball\", {\"block\": \"Plate\", \"at\": [-0.191, 0.094]}]}]}"
+
+static void test_pulled_less(CliFixture *fixture, gconstpointer data)
+{
+    cJSON *root = json_of(fixture, PULLED_LESS, "books @scene.json --block Plate --from 0.33 --to 1.1 --as json");
+    static const char *const accounts[] = {"energy", "momentum", "angular"};
+    for (gsize i = 0; i < G_N_ELEMENTS(accounts); i++) {
+        g_autofree char *residual = g_strconcat(accounts[i], "/residual", NULL),
+                        *scale = g_strconcat(accounts[i], "/scale", NULL);
+        g_assert_cmpfloat(fabs(number_at(root, residual)), <, 1e-10 * number_at(root, scale));
+    }
+    cJSON_Delete(root);
+}
+
 /* 1 kg each, from -4 to 2 m/s. */
 static void test_dropped_together(CliFixture *fixture, gconstpointer data)
 {
@@ -488,6 +513,7 @@ int main(int argc, char **argv)
     cli_test_add("/cli/books/struck", test_struck);
     cli_test_add("/cli/books/bumper", test_bumper);
     cli_test_add("/cli/books/dumbbell", test_dumbbell);
+    cli_test_add("/cli/books/pulled-less", test_pulled_less);
     cli_test_add("/cli/books/dropped-together", test_dropped_together);
     cli_test_add("/cli/books/bounce-as-impulse", test_bounce_as_impulse);
     cli_test_add("/cli/books/pendulum", test_pendulum);

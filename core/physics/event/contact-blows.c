@@ -113,62 +113,71 @@ static gboolean rests(const TinkerContactChange *change, guint number)
            tinker_touch(change, number)->place.normal_speed < least_rebound(change, number);
 }
 
-/* The equations of the normal impulses, `first`, that take away the speeds of what rests. */
-static void fill_resting(const TinkerContactChange *change, TinkerContactLaws *laws, double *matrix)
+/* Rests, and slides too slowly to be seen: the impulse that stops it is told as the blow's. */
+static gboolean creeps(const TinkerContactChange *change, guint number)
 {
-    const gsize m = laws->count;
-    for (guint i = 0; i < m; i++) {
-        for (guint k = 0; k < m; k++)
-            matrix[i * m + k] = rests(change, i) && rests(change, k) ? laws->delassus[2 * i * 2 * m + 2 * k] : i == k;
-        laws->first[i] = rests(change, i) ? -tinker_touch(change, i)->place.normal_speed : 0;
-    }
+    const TinkerTouch *at = tinker_touch(change, number);
+    const gboolean seen = fabs(at->place.tangential_speed) > TINKER_STILL * change->speed;
+    return at->row < 0 && seen && rests(change, number) && tinker_touch_surface(change, number).static_friction > 0 &&
+           tinker_change_hardly_slides(change, at);
 }
 
-/* The normal impulses that take away the speeds of what rests, in `answers`. FALSE: no memory. */
-static gboolean rest_by_matrix(const TinkerContactChange *change, TinkerContactLaws *laws)
+/* Marks the speeds that are to be taken away, two a contact; answers whether any of them is more than
+ * rounding. */
+static gboolean mark_stopped(const TinkerContactChange *change, int8_t *stopped)
 {
-    const gsize m = laws->count;
-    g_autofree double *matrix = g_try_new(double, m *m);
-    TinkerDenseSolve *solve = tinker_dense_solve_new((int32_t)m);
+    gboolean any = FALSE;
+    for (guint i = 0; i < change->touches->len; i++) {
+        stopped[2 * i] = rests(change, i);
+        stopped[2 * i + 1] = creeps(change, i);
+        any |= lingers(change, i) || stopped[2 * i + 1];
+    }
+    return any;
+}
+
+/* The impulses that take the marked speeds away, in `answers`. FALSE: no memory. */
+static gboolean stop_by_matrix(TinkerContactLaws *laws, const int8_t *stopped)
+{
+    const gsize width = 2 * laws->count;
+    g_autofree double *matrix = g_try_new(double, width *width);
+    TinkerDenseSolve *solve = tinker_dense_solve_new((int32_t)width);
     const gboolean enough = matrix != NULL && solve != NULL;
+    for (gsize i = 0; enough && i < width * width; i++)
+        matrix[i] = stopped[i / width] && stopped[i % width] ? laws->delassus[i] : i / width == i % width;
+    for (gsize i = 0; enough && i < width; i++)
+        laws->answers[i] = stopped[i] ? laws->pairs[i] : 0;
     if (enough) {
-        fill_resting(change, laws, matrix);
         tinker_dense_solve_factor(solve, matrix);
-        tinker_dense_solve(solve, laws->first);
+        tinker_dense_solve(solve, laws->answers);
     }
     tinker_dense_solve_free(solve);
-    for (guint i = 0; enough && i < m; i++)
-        laws->answers[2 * i] = laws->first[i];
     return enough;
 }
 
-static gboolean rest_by_solve(const TinkerContactChange *change, TinkerContactLaws *laws)
+static gboolean stop_by_solve(TinkerContactLaws *laws, const int8_t *stopped)
 {
     const gsize width = 2 * laws->count;
-    g_autofree int8_t *unknown = g_try_new0(int8_t, width);
     g_autofree double *left = g_try_new(double, 2 * width);
-    if (unknown == NULL || left == NULL) return FALSE;
-    for (guint i = 0; i < laws->count; i++) {
-        unknown[2 * i] = rests(change, i);
-        laws->pairs[2 * i] = -tinker_touch(change, i)->place.normal_speed;
-    }
-    laws->motion->solve(laws->motion->context, unknown, laws->first, laws->pairs, laws->answers, left, left + width);
+    if (left == NULL) return FALSE;
+    laws->motion->solve(laws->motion->context, stopped, laws->first, laws->pairs, laws->answers, left, left + width);
     return TRUE;
 }
 
 /* Bodies that constraints couple may strike by turns, each blow throwing up the other less and less, infinitely often
- * in finite time: what parts too slowly to be seen does not part. Taking speeds away along normals takes energy only.
- */
+ * in finite time: what parts too slowly to be seen does not part, and what slides so does not slide. Taking speeds away
+ * takes energy only. */
 static gboolean settle(TinkerContactChange *change)
 {
     const gsize m = change->touches->len;
     g_auto(TinkerContactLaws) laws = {0};
-    gboolean any = FALSE;
-    for (guint i = 0; i < m; i++)
-        any |= lingers(change, i);
-    if (!any) return TRUE;
+    g_autofree int8_t *stopped = g_new0(int8_t, 2 * m);
+    if (!mark_stopped(change, stopped)) return TRUE;
     if (tinker_contact_laws_init(&laws, change) != TINKER_OK) return FALSE;
-    if (!(laws.motion != NULL ? rest_by_solve(change, &laws) : rest_by_matrix(change, &laws))) {
+    for (guint i = 0; i < m; i++) {
+        laws.pairs[2 * i] = -tinker_touch(change, i)->place.normal_speed;
+        laws.pairs[2 * i + 1] = -tinker_touch(change, i)->place.tangential_speed;
+    }
+    if (!(laws.motion != NULL ? stop_by_solve(&laws, stopped) : stop_by_matrix(&laws, stopped))) {
         tinker_contacts_lack_memory(change->contacts, m);
         return FALSE;
     }

@@ -158,6 +158,11 @@ void tinker_change_note_alternatives(TinkerContactChange *change, const TinkerIm
 /* Drops what parts, and decides of all that is left, by the laws of accelerations, whether it opens, slips or sticks;
  * an impulse ends sliding that jams. FALSE: refused. */
 gboolean tinker_change_decide(TinkerContactChange *change, GError **error);
+/* Whether a corner slides, behind a blow, by too little to be seen. Blocks that rock down to rest strike with their
+ * corners by turns and slide a little in between, infinitely often in finite time; discs that rock between two walls
+ * do, with blows so slow at last that what lies between them is rounding of places. What stops so may throw another
+ * back on what it has just parted from, to be struck again: then it slides on. */
+gboolean tinker_change_hardly_slides(const TinkerContactChange *change, const TinkerTouch *at);
 
 /* Whether so many changes came before this one at the same instant that they do not end by themselves. */
 static inline gboolean tinker_change_repeats(const TinkerContactChange *change)

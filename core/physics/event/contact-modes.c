@@ -29,11 +29,7 @@ static gboolean has_stopped(const TinkerContactChange *change, const TinkerTouch
     return at->slows || tinker_change_is_trigger(change, at);
 }
 
-/* Whether a corner slides, behind a blow, by too little to be seen. Blocks that rock down to rest strike with their
- * corners by turns and slide a little in between, infinitely often in finite time; discs that rock between two walls
- * do, with blows so slow at last that what lies between them is rounding of places. What stops so may throw another
- * back on what it has just parted from, to be struck again: then it slides on. */
-static gboolean hardly_slides(const TinkerContactChange *change, const TinkerTouch *at)
+gboolean tinker_change_hardly_slides(const TinkerContactChange *change, const TinkerTouch *at)
 {
     if (tinker_change_repeats(change)) return FALSE;
     if (!tinker_contacts_is_gap(change->contacts, &at->contact)) return FALSE;
@@ -65,7 +61,7 @@ static int8_t sliding_of(const TinkerContactChange *change, guint number, double
     if (limit_of(change, at) != 0) return limit_of(change, at);
     if (has_stopped(change, at)) return 0;
     if (tinker_touch_surface(change, number).static_friction == 0) return 1;
-    if (hardly_slides(change, at)) return 0;
+    if (tinker_change_hardly_slides(change, at)) return 0;
     /* what falls over the length of the plate is a scale for what is the only thing that moves */
     double length = plate->gap != NULL ? change->contacts->thickness : plate->half_width + plate->half_height;
     double scale = change->speed + sqrt(acceleration * length);

@@ -96,10 +96,10 @@ static void write_impacts(const TinkerBooks *books, TinkerScene *scene, FILE *fi
     if (books->impacts->len > 0) heading(file, "Impacts, which are in the sums above");
     for (guint i = 0; i < books->impacts->len; i++) {
         const TinkerBookImpact *impact = &g_array_index(books->impacts, TinkerBookImpact, i);
-        tinker_print_line(file, "  t = %.6g s: %s on %s gave (%.6g, %.6g) N s and %.6g J", impact->time,
+        tinker_print_line(file, "  t = %.6g s: %s on %s gave (%.6g, %.6g) N s and %.6g J%s", impact->time,
                           impact->by >= 0 ? tinker_scene_block_name(scene, impact->by) : "several together",
                           tinker_scene_block_name(scene, impact->on), impact->impulse[0], impact->impulse[1],
-                          impact->work);
+                          impact->work, impact->by >= 0 ? "" : " (in none of the sums)");
     }
 }
 
