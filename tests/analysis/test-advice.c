@@ -332,6 +332,41 @@ static void test_small_wheel(void)
     g_assert_cmpuint(none->len, ==, 0);
 }
 
+/* What acts on angles alone does nothing to a mass, and between two ends of one disc; a support and a second disc are
+ * turned against. */
+static void test_idle_turns(void)
+{
+    static const char *const blocks = "{'type': 'mass', 'name': 'M', 'position': [0, 3]}, {'type': 'disc', 'name': "
+                                      "'D'}, {'type': 'disc', 'name': 'E', 'position': [3, 0]}, {'type': 'support', "
+                                      "'name': 'S', 'position': [0, -3]}, {'type': '%s', 'name': 'By', 'ends': %s}";
+    static const struct {
+        const char *type, *ends, *part;
+    } cases[] = {
+        {"torque", "['M']", "By: it acts on angles alone, and M is a point"},
+        {"torsional-spring", "['D', 'M']", "By: it acts on angles alone, and M is a point"},
+        {"torsional-damper", "['M', 'S']", "By: it acts on angles alone, and M is a point"},
+        {"gear", "['D', 'D']", "By: two of its ends are on D"},
+        {"torsional-spring", "['E', {'block': 'E', 'at': [0.1, 0]}]", "By: two of its ends are on E"},
+        {"torque", "['D', 'S']", NULL},
+        {"torsional-spring", "['D', 'E']", NULL},
+        {"gear", "['D', 'E', 'S']", NULL},
+        {"spring", "['M', 'D']", NULL},
+    };
+    for (gsize i = 0; i < G_N_ELEMENTS(cases); i++) {
+        g_autofree char *text = g_strdup_printf(blocks, cases[i].type, cases[i].ends);
+        g_autoptr(StartFixture) f = start_fixture_new(text);
+        if (cases[i].part != NULL) assert_only(f, TINKER_ADVICE_IDLE_TURN, FALSE, "By", cases[i].part, NULL);
+        g_autoptr(TinkerModel) model = tinker_model_new(f->scene, NULL);
+        g_assert_nonnull(model);
+        g_autoptr(GPtrArray) all = tinker_advice_new(f->scene);
+        g_assert_cmpuint(tinker_model_warnings(model)->len, ==, cases[i].part != NULL);
+        g_assert_cmpuint(all->len, ==, cases[i].part != NULL);
+        if (cases[i].part != NULL)
+            g_assert_cmpstr(g_ptr_array_index(tinker_model_warnings(model), 0), ==,
+                            only(all, TINKER_ADVICE_IDLE_TURN)->message);
+    }
+}
+
 /* A cord from a mass to a disc is the wrong way round; swapped, the scene compiles. With a radius of its own it is as
  * meant. */
 static void test_wound_ends(void)
@@ -430,6 +465,7 @@ static void add_tests(void)
     g_test_add_func("/advice/rate", test_rate);
     g_test_add_func("/advice/joint", test_joint);
     g_test_add_func("/advice/small-wheel", test_small_wheel);
+    g_test_add_func("/advice/idle-turns", test_idle_turns);
     g_test_add_func("/advice/loose-end-under", test_loose_end_finds_what_is_under_it);
     g_test_add_func("/advice/wound-ends", test_wound_ends);
     g_test_add_func("/advice/loose-pin", test_loose_pin);

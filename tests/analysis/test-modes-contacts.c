@@ -190,6 +190,18 @@ static void test_ropes(void)
     }
 }
 
+/* Two like loads on a rope over two wheels, one 0.1 m below its wheel and one 10 m: each swings as a pendulum on its
+ * own part, however long the rope is, and nothing brings them back that goes up as the other goes down. */
+static void test_rope_with_short_part(void)
+{
+    g_autoptr(ModesFixture) a = modes_about_rest(
+        GRAVITY "{'type': 'support', 'solid': false}, {'type': 'support', 'solid': false, 'position': [5, 0]},"
+                "{'type': 'mass', 'position': [0, -0.1]}, {'type': 'mass', 'position': [5, -10]},"
+                "{'type': 'rope', 'ends': ['Mass 0', 'Support 0', 'Support 1', 'Mass 1']}");
+    g_assert_true(a->analysis->about_rest);
+    assert_modes(a, 3, (const double[]){0, sqrt(g / 10), sqrt(g / 0.1)}, 1e-9);
+}
+
 /* Two blocks of 1 kg and 3 kg on one floor with a spring of 12 N/m between them: both drift, and swing with
  * sqrt(k (1 / m + 1 / M)). */
 static void test_two_blocks(void)
@@ -256,6 +268,7 @@ static void add_tests(void)
     g_test_add_func("/analysis/modes-contacts/rough-slope", test_rough_slope);
     g_test_add_func("/analysis/modes-contacts/lifted", test_lifted);
     g_test_add_func("/analysis/modes-contacts/ropes", test_ropes);
+    g_test_add_func("/analysis/modes-contacts/rope-with-short-part", test_rope_with_short_part);
     g_test_add_func("/analysis/modes-contacts/two-blocks", test_two_blocks);
     g_test_add_func("/analysis/modes-contacts/between-two-tops", test_between_two_tops);
     g_test_add_func("/analysis/modes-contacts/carried", test_carried);

@@ -137,6 +137,26 @@ static void test_comes_taut(void)
                         0.5 * 4 * after * after - 0.5 * 3 * G * G * taut * taut, 1e-8);
 }
 
+/* A wheel of 0.5 kg m^2 and radius 0.5 that spins with 3 rad/s on a bearing that starts upwards with 1 m/s, and 3 kg
+ * and 1 kg at rest on either side. The first cord jerks the wheel to a stop, which jerks the second, that the wheel's
+ * spin had let loose, all in one instant: (0.5 + 4 R^2) w = 0.5 w0 + R V (1 - 3), so w = 1/3. */
+static void test_jerks_the_other(void)
+{
+    g_autoptr(PhysicsRun) run = physics_run(
+        &(PhysicsOptions){.duration = 0.1, .estimate = TRUE, .columns = "Wheel.angular velocity, A.vy, B.vy"},
+        "{'type': 'support', 'position': [0, 2], 'solid': false}, {'type': 'disc', 'name': 'Wheel', 'position': [0, 2],"
+        " 'radius': 0.5, 'inertia': 0.5, 'angular_velocity': 3, 'velocity': [0, 1]}, {'type': 'pin', 'ends': "
+        "['Support 0', 'Wheel']}, {'type': 'support-motion', 'ends': ['Support 0'], 'angle': '90 deg', 'amplitude': 1,"
+        " 'frequency': 1}, {'type': 'mass', 'name': 'A', 'mass': 3, 'position': [0.5, 0]}, {'type': 'mass', 'name': "
+        "'B',"
+        " 'mass': 1, 'position': [-0.5, 0]}, {'type': 'cord', 'ends': ['Wheel', 'A'], 'side': 'left'},"
+        "{'type': 'cord', 'ends': ['Wheel', 'B'], 'side': 'right'}");
+    physics_assert_near("spin", physics_value(run, 0, 0), 1.0 / 3, 1e-12);
+    physics_assert_near("A", physics_value(run, 0, 1), 1 + 1.0 / 6, 1e-12);
+    physics_assert_near("B", physics_value(run, 0, 2), 1 - 1.0 / 6, 1e-12);
+    g_assert_cmpfloat(run->summary->error_estimate, <, 1e-9);
+}
+
 /* What is wrong is told with the block and what would be right. */
 static void test_refusals(void)
 {
@@ -166,6 +186,7 @@ static void add_tests(void)
     g_test_add_func("/cords/wound-up", test_wound_up);
     g_test_add_func("/cords/angular-momentum", test_angular_momentum);
     g_test_add_func("/cords/comes-taut", test_comes_taut);
+    g_test_add_func("/cords/jerks-the-other", test_jerks_the_other);
     g_test_add_func("/cords/refusals", test_refusals);
 }
 

@@ -170,6 +170,51 @@ static void test_losses(void)
     physics_assert_near("way", physics_last(drop, 1), 1.25 + 0.3, 1e-8);
 }
 
+/* Two discs of 0.5 kg m^2 on torsional springs of 2 N m/rad, turned by 3 N m and not at all: theta = 1.5 (1 - cos 2t),
+ * of which the torque gives 3 theta and the spring keeps theta^2; the other swings with 1 J. What springs keep nobody
+ * gives. */
+static void test_given_beside_stored(void)
+{
+    static const char *const ways[] = {"exact", "rk4", "dop853"};
+    for (gsize m = 0; m < G_N_ELEMENTS(ways); m++) {
+        g_autoptr(PhysicsRun) run = physics_run(
+            &(PhysicsOptions){.method = ways[m],
+                              .duration = 1.3,
+                              .interval = 0.37,
+                              .step = 0.001,
+                              .columns = "Scene.supplied energy, Scene.stored energy, Scene.energy"},
+            "{'type': 'support', 'solid': false}, {'type': 'disc', 'name': 'A', 'inertia': 0.5},"
+            "{'type': 'support', 'solid': false, 'position': [3, 0]}, {'type': 'disc', 'name': 'B', 'inertia': 0.5,"
+            " 'position': [3, 0], 'angular_velocity': 2},"
+            "{'type': 'pin', 'ends': ['Support 0', 'A']}, {'type': 'pin', 'ends': ['Support 1', 'B']},"
+            "{'type': 'torsional-spring', 'ends': ['Support 0', 'A'], 'stiffness': 2},"
+            "{'type': 'torsional-spring', 'ends': ['Support 1', 'B'], 'stiffness': 2},"
+            "{'type': 'torque', 'ends': ['A'], 'amplitude': 3, 'frequency': 0}");
+        for (gsize s = 0; s < physics_samples(run); s++) {
+            const double t = physics_time(run, s), angle = 1.5 * (1 - cos(2 * t)), other = sin(2 * t);
+            physics_assert_near("given", physics_value(run, s, 0), 3 * angle, 1e-9);
+            physics_assert_near("stored", physics_value(run, s, 1), angle * angle + other * other, 1e-9);
+            physics_assert_near("energy", physics_value(run, s, 2), 1 + 3 * angle, 1e-9);
+        }
+    }
+}
+
+/* Between the steps of a method that works its books out where they are asked for, they are those of the time that is
+ * asked for: nobody gives anything to a mass in a potential. */
+static void test_given_within_steps(void)
+{
+    static const char *const adaptive[] = {"cvode-bdf", "dop853", "dopri5"};
+    for (gsize m = 0; m < G_N_ELEMENTS(adaptive); m++) {
+        g_autoptr(PhysicsRun) run = physics_run(
+            &(PhysicsOptions){
+                .method = adaptive[m], .interval = 0.013, .tolerance = 1e-8, .columns = "Scene.supplied energy"},
+            "{'type': 'mass', 'mass': 2, 'position': [1, 0], 'velocity': [0, 3]},"
+            "{'type': 'law-force', 'ends': ['Mass 0'], 'potential': '9*x^2 + 4*y^2'}");
+        for (gsize s = 0; s < physics_samples(run); s++)
+            physics_assert_near("given", physics_value(run, s, 0), 0, 1e-6);
+    }
+}
+
 static void assert_refused(const char *column, const char *says)
 {
     g_autoptr(TinkerScene) scene = physics_scene(
@@ -202,6 +247,8 @@ static void add_tests(void)
     g_test_add_func("/physics/implied/distance", test_distance);
     g_test_add_func("/physics/implied/energies-of-damped", test_energies_of_damped);
     g_test_add_func("/physics/implied/losses", test_losses);
+    g_test_add_func("/physics/implied/given-beside-stored", test_given_beside_stored);
+    g_test_add_func("/physics/implied/given-within-steps", test_given_within_steps);
     g_test_add_func("/physics/implied/refused", test_refused);
 }
 

@@ -112,6 +112,20 @@ static void test_displaced_at_start(void)
     physics_assert_near("y", physics_last(run, 2), -4, 1e-14);
 }
 
+/* A velocity of rounding at a pin that stands, beside a support that moves and is joined to nothing: it contradicts
+ * nothing. The disc, of 0.08 kg m^2 on 2 N m/rad, swings with 5 rad/s. */
+static void test_rounded_at_start(void)
+{
+    g_autoptr(PhysicsRun) run =
+        physics_run(&(PhysicsOptions){.columns = "Disc 0.angle"},
+                    "{'type': 'support', 'solid': false}, {'type': 'support', 'solid': false, 'position': [3, 0]},"
+                    "{'type': 'support-motion', 'ends': ['Support 1'], 'amplitude': 0.1, 'frequency': 2},"
+                    "{'type': 'disc', 'inertia': 0.08, 'angular_velocity': 1, 'velocity': [0, 1e-17], 'solid': false},"
+                    "{'type': 'pin', 'ends': ['Support 0', 'Disc 0']},"
+                    "{'type': 'torsional-spring', 'ends': ['Disc 0', 'Support 1'], 'stiffness': 2}");
+    physics_assert_near("angle", physics_last(run, 0), sin(5.0) / 5, 1e-10);
+}
+
 static void add_tests(void)
 {
     g_test_add_func("/physics/moving-rods/kapitza", test_kapitza);
@@ -119,6 +133,7 @@ static void add_tests(void)
     g_test_add_func("/physics/moving-rods/length-on-moving-support", test_length_on_moving_support);
     g_test_add_func("/physics/moving-rods/jumps", test_jumps);
     g_test_add_func("/physics/moving-rods/displaced-at-start", test_displaced_at_start);
+    g_test_add_func("/physics/moving-rods/rounded-at-start", test_rounded_at_start);
 }
 
 int main(int argc, char **argv)

@@ -10,6 +10,7 @@
 #include "physics/model/model.h"
 #include "scene/frame/boxes.h"
 #include "scene/frame/drawing-order.h"
+#include "scene/frame/idle-turns.h"
 #include "scene/frame/overlaps.h"
 #include "scene/frame/small-wheels.h"
 
@@ -231,6 +232,17 @@ static void on_small_wheels(GPtrArray *all, TinkerScene *scene)
     }
 }
 
+static void on_idle_turns(GPtrArray *all, TinkerScene *scene)
+{
+    g_autoptr(GArray) idle_turns = tinker_idle_turns_of(scene);
+    for (guint i = 0; i < idle_turns->len; i++) {
+        const TinkerIdleTurn *idle = &g_array_index(idle_turns, TinkerIdleTurn, i);
+        TinkerAdvice *advice = advice_add(all, TINKER_ADVICE_IDLE_TURN, FALSE, tinker_idle_turn_text(scene, idle));
+        advice_add_block(advice, idle->by);
+        advice_add_block(advice, idle->body);
+    }
+}
+
 /* The model -------------------------------------------------------------------------------------------------------- */
 
 /* The model's messages begin with the names of the blocks at fault, "Rod 0, Rod 1: ...". */
@@ -297,6 +309,7 @@ GPtrArray *tinker_advice_new(TinkerScene *scene)
     if (all->len == 0) on_model(all, frame); /* which would say the first of these again */
     on_overlaps(all, frame);
     on_small_wheels(all, scene);
+    on_idle_turns(all, scene);
     on_meeting(all, frame);
     return all;
 }

@@ -11,6 +11,7 @@
 #include "physics/constraint/constraints.h"
 #include "physics/model/angles.h"
 #include "plugin/call/guarded.h"
+#include "scene/frame/idle-turns.h"
 #include "scene/frame/small-wheels.h"
 
 static gboolean refuse_placeholder(TinkerScene *scene, GError **error)
@@ -122,6 +123,14 @@ static void tell_small_wheels(TinkerModel *model)
     }
 }
 
+static void tell_idle_turns(TinkerModel *model)
+{
+    g_autoptr(GArray) idle_turns = tinker_idle_turns_of(model->scene);
+    for (guint i = 0; i < idle_turns->len; i++)
+        g_ptr_array_add(model->warnings,
+                        tinker_idle_turn_text(model->scene, &g_array_index(idle_turns, TinkerIdleTurn, i)));
+}
+
 static gboolean compile(TinkerModel *model, GError **error)
 {
     if (!tinker_model_compile_parts(model, error)) return FALSE;
@@ -130,6 +139,7 @@ static gboolean compile(TinkerModel *model, GError **error)
     if (!tinker_model_check_start(model, error)) return FALSE;
     if (model->part) return TRUE;
     if (model->turning > 0) tell_small_wheels(model);
+    tell_idle_turns(model);
     if (model->contacts == NULL) return TRUE;
     tinker_model_set_state(model, model->q_start, model->v_start);
     const guint before = model->warnings->len;

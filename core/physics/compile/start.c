@@ -238,7 +238,7 @@ static gboolean refuse_contradiction(TinkerModel *model, const double *a, GError
 /* What a solve of the rows from `given` on misses of them, as a share of what is asked; its answer is `found`. */
 typedef double (*Missed)(TinkerModel *model, const double *given, double *found);
 
-/* Of velocities. */
+/* Of velocities. What is rounding beside the fastest of them stays as it is: that misses nothing. */
 static double missed_velocity(TinkerModel *model, const double *given, double *found)
 {
     const TinkerConstraints *all = &model->constraints;
@@ -248,6 +248,7 @@ static double missed_velocity(TinkerModel *model, const double *given, double *f
     memcpy(found, given, bytes);
     tinker_model_set_state(model, model->q_start, given);
     tinker_constraints_correct_velocities(model, found, FALSE, &moved);
+    if (!moved) return 0;
     tinker_model_set_state(model, model->q_start, found);
     for (int32_t i = model->first_attachment; i < model->points; i++) {
         velocity[2 * i] = model->point[i].vx;

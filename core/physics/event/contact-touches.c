@@ -178,7 +178,8 @@ static void take_open(TinkerContactChange *change, double tolerance)
     }
 }
 
-/* Rows that hold in one direction only are left out of the constraints while they are decided upon. */
+/* Rows that hold in one direction only are left out of the constraints while they are decided upon. One that is as long
+ * as it may be and loosens, as at a start, a blow may tauten at the same instant. */
 static void take_rows(TinkerContactChange *change, double tolerance)
 {
     const TinkerContactRun *self = change->run;
@@ -191,8 +192,10 @@ static void take_rows(TinkerContactChange *change, double tolerance)
         taken.was = all->slack[row] ? TINKER_CONTACT_OPEN : TINKER_CONTACT_SLIP_FORWARD;
         tinker_constraints_set_slack(change->model, row, TRUE);
         taken.place = place_of(change, &taken);
-        if (taken.was != TINKER_CONTACT_OPEN || is_closed(change, &taken, tolerance) || meets_now(change, &taken))
-            g_array_append_val(change->touches, taken);
+        const gboolean closed =
+            taken.was != TINKER_CONTACT_OPEN || is_closed(change, &taken, tolerance) || meets_now(change, &taken);
+        taken.leaves = !closed && fabs(taken.place.gap) <= tolerance;
+        if (closed || taken.leaves) g_array_append_val(change->touches, taken);
     }
 }
 

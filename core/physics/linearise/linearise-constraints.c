@@ -62,6 +62,21 @@ typedef struct {
     double *column; /* 2 per entry of the part */
 } Difference;
 
+/* m: the shortest way between two ends of a path that follow each other and are not at one place, or `length`. A path
+ * is as long as all of it, and as curved as its shortest part. */
+static double shortest_way(const Difference *d, int32_t instance, double length)
+{
+    const int32_t *offsets = d->part->batch->end_offsets;
+    double shortest = length;
+    for (int32_t e = offsets[instance]; e + 1 < offsets[instance + 1]; e++) {
+        const TinkerPoint *from = &d->model->point[d->part->end_points[e]];
+        const TinkerPoint *to = &d->model->point[d->part->end_points[e + 1]];
+        const double way = hypot(to->x - from->x, to->y - from->y);
+        if (way > TINKER_HESSIAN_PART * length) shortest = fmin(shortest, way);
+    }
+    return shortest;
+}
+
 static double step_of(const Difference *d, int32_t instance)
 {
     const double *scales = d->model->constraints.scales + d->part->first_row;
@@ -69,6 +84,7 @@ static double step_of(const Difference *d, int32_t instance)
     double least = scales[instance * rows];
     for (int32_t r = 1; r < rows; r++)
         least = fmin(least, scales[instance * rows + r]);
+    if (d->part->constraint->unilateral) least = shortest_way(d, instance, least);
     return TINKER_HESSIAN_STEP * least;
 }
 

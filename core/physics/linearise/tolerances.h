@@ -7,10 +7,12 @@
 /* No unit; of the extent, of an extent a second, of the largest force: the step of differences. Held by:
  * analysis-response. */
 #define TINKER_PROBE_STEP 1e-3
-/* No unit; of a row's length: the step of differences of order 6, whose truncation and rounding are both some 1e-13
- * there. Held by: analysis-modes, analysis-modes-contacts, analysis-modes-elements, analysis-modes-turning,
- * analysis-response. */
+/* No unit; of a row's length, or of the shortest part of a path: the step of differences of order 6, whose truncation
+ * and rounding are both some 1e-13 there. Held by: analysis-modes, analysis-modes-contacts, analysis-modes-elements,
+ * analysis-modes-turning, analysis-response. */
 #define TINKER_HESSIAN_STEP 3e-3
+/* No unit; of a path's length: parts of it that are shorter have no direction. Held by: -. */
+#define TINKER_HESSIAN_PART 1e-9
 /* rad: the step of those differences in an angle. Held by: -. */
 #define TINKER_HESSIAN_ANGLE_STEP 3e-3
 /* No unit; of the largest second derivative: smaller ones are the differences' own. Held by: -. */

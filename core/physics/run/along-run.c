@@ -208,6 +208,20 @@ static TinkerStatus add_books(TinkerAlongRun *self, TinkerIslandRun *run, double
     return status;
 }
 
+/* A linear form books what force elements do not store of what they give, as the summary does (system/books.c). */
+static TinkerStatus take_stored(TinkerAlongRun *self, TinkerIslandRun *run, double t, double *given)
+{
+    TinkerEnergy now = {0};
+    if (run->system.form == NULL) return TINKER_OK;
+    TinkerStatus status = tinker_island_run_state_at(run, t, self->q, self->v);
+    if (status == TINKER_OK) status = tinker_model_set_time(run->model, t);
+    if (status != TINKER_OK) return status;
+    tinker_model_set_state(run->model, self->q, self->v);
+    status = tinker_model_energy(run->model, &now);
+    given[TINKER_BOOK_MOTORS] -= now.stored_in_forces - run->books.start.stored_in_forces;
+    return status;
+}
+
 static double energy_of(const double *given, int32_t number)
 {
     switch (number) {
@@ -227,16 +241,17 @@ static double energy_of(const double *given, int32_t number)
 TinkerStatus tinker_along_run_values(TinkerAlongRun *self, double t, double *values)
 {
     double given[TINKER_BOOK_COUNT] = {0};
-    TinkerStatus status = TINKER_OK;
+    TinkerEnergy now = {0};
+    /* before the books: a method may evaluate powers for them at times before t, which moves the points of the model */
+    TinkerStatus status = self->energies->len > 0 ? tinker_model_energy(self->model, &now) : TINKER_OK;
     for (guint i = 0; i < self->runs->len; i++) {
         const Paths *paths = &self->paths[i];
         for (guint k = 0; k < paths->columns->len; k++)
             values[g_array_index(paths->columns, guint, k)] = paths->lengths[k];
         if (self->energies->len > 0 && status == TINKER_OK) status = add_books(self, paths->run, t, given);
+        if (self->energies->len > 0 && status == TINKER_OK) status = take_stored(self, paths->run, t, given);
     }
     if (self->energies->len == 0 || status != TINKER_OK) return status;
-    TinkerEnergy now = {0};
-    status = tinker_model_energy(self->model, &now);
     given[TINKER_BOOK_MOTORS] += now.stored_in_forces + now.stored_in_fields - self->stored_at_start;
     for (guint i = 0; i < self->energies->len; i++) {
         const Wanted *wanted = &g_array_index(self->energies, Wanted, i);
