@@ -212,7 +212,7 @@ static void place_text(const TinkerMeasuring *measuring, double at[3][2], PangoL
     const double from = atan2(dy, dx);
     const double turn = remainder(atan2(at[2][1] - at[0][1], at[2][0] - at[0][0]) - from, 2 * G_PI);
     const double along[2] = {cos(from + turn / 2), sin(from + turn / 2)};
-    const double off = ARC + INNER + fmin(width / 2.0 / fabs(along[0]), height / 2.0 / fabs(along[1]));
+    const double off = ARC + INNER + hypot(width, height) / 2;
     for (int k = 0; k < 2; k++)
         middle[k] = at[0][k] + off * along[k];
 }

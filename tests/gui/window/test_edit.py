@@ -324,6 +324,19 @@ def test_menu_of_the_canvas(display):
         app.press("Escape")
 
 
+def test_note_is_moved_and_comes_back(display):
+    note = {"type": "note", "name": "Note 0", "position": [2, 2], "text": "MMMM"}
+    with App(display, scene(mass("A", -3, -2), note)) as app:
+        app.show_width()
+        app.drag((2, 2), (-1, 1))
+        check_equal(app.saved()["blocks"][1]["position"], [-1, 1], "its place in the file")
+    with App(display, app.file) as app:
+        app.show_width()
+        seen = app.still_picture(-2, 0.7, 0, 1.3), app.still_picture(1, 1.7, 3, 2.3)
+        dark = [sum(1 for at in range(0, len(cut), 4) if max(cut[at:at + 3]) < 100) for cut in seen]
+        check(dark[0] > 20 and dark[1] == 0, f"{dark} pixels of its text where it was put, and where it was")
+
+
 def test_local_origin_is_dragged_without_the_body(display):
     with App(display, scene(mass("A", 0, 0, local_origin=[1, 1]), mass("B", 2, 0))) as app:
         app.click_world(0, 0.2)
