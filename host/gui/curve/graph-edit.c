@@ -107,6 +107,7 @@ gboolean tinker_graph_add_curve(TinkerDocument *document, int number, const Tink
     added->title = g_strdup(curve->title);
     added->unit = g_strdup(curve->unit);
     added->column = curve->column;
+    added->time_column = curve->time_column;
     added->axis = curve->axis;
     return change(document, number, graph, error);
 }
