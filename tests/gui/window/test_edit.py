@@ -392,6 +392,25 @@ def test_support_is_turned_by_its_handle(display):
         check_close(app.blocks()["Plate"]["orientation"], 0.785398163, 0.02, "orientation (rad)")
 
 
+def test_width_of_a_bar_is_dragged(display):
+    """On the grid, with Alt freely; the length stays, and the middle still drags the whole."""
+    bar = {"type": "bar", "name": "Bar", "position": [0, 0], "mass": 1, "length": 4, "width": 0.2}
+    with App(display, scene(bar)) as app:
+        app.show_width()
+        app.click_world(-0.8, 0)
+        app.drag((1, 0.1), (1, 0.39))
+        check_equal([app.saved()["blocks"][0][key] for key in ("length", "width")], [4, 0.8], "length and width, on the grid")
+        app.drag((1, 0.4), (1, 0.25), keys=("alt",))
+        width = app.saved()["blocks"][0]["width"]
+        check_close(width, 0.5, 2.5 / app.scale(), "width, freely")
+        app.click("Undo")
+        app.click("Undo")
+        check_equal(app.saved()["blocks"][0]["width"], 0.2, "width after undo")
+        app.drag((0, 0), (0.4, 0.6))
+        moved = app.saved()["blocks"][0]
+        check_equal(([round(at, 9) for at in moved["position"]], moved["width"]), ([0.4, 0.6], 0.2), "the whole, by its middle")
+
+
 def test_corners_of_a_plate(display):
     square = [[-1, -1], [1, -1], [1, 1], [-1, 1]]
     plate = {"type": "plate", "name": "P", "position": [0, 0], "corners": square}
