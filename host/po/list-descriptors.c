@@ -10,20 +10,31 @@
 #include "numerics/methods/integrators.h"
 #include "plugin/catalogue/catalogue.h"
 
+/* As in host/gui/text/translate.c: a title that somebody gives a scene is never taken for another text. */
+#define TINKER_TITLE_CONTEXT "Title of an example"
+
 typedef struct {
     GString *text;
     GHashTable *known;
 } Template;
 
 /* An entry with a hint for the translators; each text once, and none that has nothing to translate. */
-static void add(Template *into, const char *hint, const char *text)
+static void add_in(Template *into, const char *context, const char *hint, const char *text)
 {
-    if (text == NULL || *text == '\0' || !g_hash_table_add(into->known, g_strdup(text))) return;
+    if (text == NULL || *text == '\0' || !g_hash_table_add(into->known, g_strconcat(context, "\004", text, NULL)))
+        return;
     GString *escaped = g_string_new(text);
     g_string_replace(escaped, "\\", "\\\\", 0);
     g_string_replace(escaped, "\"", "\\\"", 0);
-    g_string_append_printf(into->text, "\n#. %s\nmsgid \"%s\"\nmsgstr \"\"\n", hint, escaped->str);
+    g_string_append_printf(into->text, "\n#. %s\n", hint);
+    if (context[0] != '\0') g_string_append_printf(into->text, "msgctxt \"%s\"\n", context);
+    g_string_append_printf(into->text, "msgid \"%s\"\nmsgstr \"\"\n", escaped->str);
     g_string_free(escaped, TRUE);
+}
+
+static void add(Template *into, const char *hint, const char *text)
+{
+    add_in(into, "", hint, text);
 }
 
 static void add_property(Template *into, const TinkerPropertyType *property)
@@ -92,7 +103,8 @@ static void add_scenes(Template *into, const char *folder)
         g_autofree char *path = g_build_filename(folder, names->pdata[i], NULL), *text = NULL;
         if (!g_file_get_contents(path, &text, NULL, NULL)) continue;
         cJSON *json = cJSON_Parse(text);
-        add(into, "Title of an example", cJSON_GetStringValue(cJSON_GetObjectItemCaseSensitive(json, "title")));
+        add_in(into, TINKER_TITLE_CONTEXT, "Title of an example",
+               cJSON_GetStringValue(cJSON_GetObjectItemCaseSensitive(json, "title")));
         add(into, "Description of an example",
             cJSON_GetStringValue(cJSON_GetObjectItemCaseSensitive(json, "description")));
         cJSON_Delete(json);

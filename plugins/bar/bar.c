@@ -42,8 +42,11 @@ static void bounds(const TinkerInstance *instance, const TinkerStyle *style, dou
 
 /* Editing */
 
-/* By its ends: the one that is dragged goes along with the hand and the other one stays, as of a line that is drawn. */
-enum { HANDLE_END = TINKER_HANDLE_SIZE, HANDLE_START = TINKER_HANDLE_LOCAL_ORIGIN + 1 };
+/* By its ends: the one that is dragged goes along with the hand and the other one stays, as of a line that is drawn.
+ * The handle of the width is on the upper side, off the middle, where the whole is dragged. */
+enum { HANDLE_END = TINKER_HANDLE_SIZE, HANDLE_START = TINKER_HANDLE_LOCAL_ORIGIN + 1, HANDLE_WIDTH };
+
+#define WIDTH_AT 0.25 /* of the length, from the middle */
 
 static const TinkerEdit edit;
 
@@ -61,14 +64,30 @@ static int32_t handles_of(const TinkerInstance *instance, TinkerHandle *handles,
         tinker_box_to_world(instance, side * half, 0.0, &x, &y);
         count = tinker_handle_add(handles, room, count, side < 0 ? HANDLE_START : HANDLE_END, x, y);
     }
+    tinker_box_to_world(instance, 2.0 * WIDTH_AT * half, instance->columns[COLUMN_WIDTH] / 2.0, &x, &y);
+    count = tinker_handle_add(handles, room, count, HANDLE_WIDTH, x, y);
     return tinker_turned_handles(instance, &box_columns, half, instance->columns[COLUMN_WIDTH] / 2.0, handles, room,
                                  count);
+}
+
+/* Onto the line in its middle it stays as it is: without a width a bar would be a line, which is typed. */
+static void set_width(const TinkerInstance *instance, double x, double y, const TinkerEditor *editor)
+{
+    double own_x, own_y;
+    tinker_box_to_own(instance, x, y, &own_x, &own_y);
+    if (fabs(own_y) > 0.0) {
+        editor->set(editor, COLUMN_WIDTH, 2.0 * fabs(own_y));
+    }
 }
 
 static void move_absolute(const TinkerInstance *instance, int32_t part, double x, double y, const TinkerEditor *editor)
 {
     const double side = part == HANDLE_END ? 1.0 : -1.0;
     double x0, y0; /* of the end that stays */
+    if (part == HANDLE_WIDTH) {
+        set_width(instance, x, y, editor);
+        return;
+    }
     if (part != HANDLE_END && part != HANDLE_START) {
         tinker_turned_move_absolute(instance, &box_columns, part, x, y, editor);
         return;

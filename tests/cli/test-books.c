@@ -442,6 +442,70 @@ static void test_torque_value(CliFixture *fixture, gconstpointer data)
         cairo_surface_destroy(pictures[i]);
 }
 
+/* Red, green and blue of a pixel are near these. */
+static gboolean is_near(const guint8 *pixel, int red, int green, int blue)
+{
+    return ABS(pixel[2] - red) < 25 && ABS(pixel[1] - green) < 25 && ABS(pixel[0] - blue) < 25;
+}
+
+/* The label of the torque of a drive makes way for the arrow of a pin beside it: no pixel of a text touches one of an
+ * arrow. */
+static void test_torque_label_is_not_crossed(CliFixture *fixture, gconstpointer data)
+{
+    g_autofree char *words = g_strdup_printf(
+        "diagram '%s/quick-return.tinker.json' --block Crank --time 0.3 -o @crank.png", g_getenv("TINKER_SCENES"));
+    g_autoptr(TestProgram) drawn = cli_run_well(fixture, words);
+    g_autofree char *path = cli_path(fixture, "crank.png");
+    cairo_surface_t *surface = cairo_image_surface_create_from_png(path);
+    g_assert_cmpint(cairo_surface_status(surface), ==, CAIRO_STATUS_SUCCESS);
+    const guint8 *pixels = cairo_image_surface_get_data(surface);
+    const int stride = cairo_image_surface_get_stride(surface), width = cairo_image_surface_get_width(surface);
+    int arrows = 0, crossed = 0;
+    for (int y = 1; y < 6 * cairo_image_surface_get_height(surface) / 10; y++) /* above the table */
+        for (int x = 1; x < width - 1; x++) {
+            if (!is_near(pixels + y * stride + 4 * x, 0xcc, 0x79, 0xa7)) continue;
+            arrows++;
+            for (int k = 0; k < 9; k++)
+                crossed += is_near(pixels + (y + k / 3 - 1) * stride + 4 * (x + k % 3 - 1), 0x24, 0x24, 0x24);
+        }
+    g_assert_cmpint(arrows, >, 300);
+    g_assert_cmpint(crossed, ==, 0);
+    cairo_surface_destroy(surface);
+}
+
+/* How many lines of texts there are at the left of the right column of accounts. */
+static int count_lines(CliFixture *fixture, const char *size)
+{
+    g_autofree char *words = g_strdup_printf("books @a.json --block Ball --to 0.5 -o @books.png --size %s", size);
+    g_autoptr(TestProgram) drawn = cli_run_well(fixture, words);
+    g_autofree char *path = cli_path(fixture, "books.png");
+    cairo_surface_t *surface = cairo_image_surface_create_from_png(path);
+    const guint8 *pixels = cairo_image_surface_get_data(surface);
+    const int stride = cairo_image_surface_get_stride(surface), half = cairo_image_surface_get_width(surface) / 2;
+    int lines = 0;
+    gboolean was_dark = FALSE;
+    for (int y = 0; y < cairo_image_surface_get_height(surface); y++) {
+        gboolean dark = FALSE;
+        for (int x = half + 5; x < half + 50; x++) {
+            const guint8 *pixel = pixels + y * stride + 4 * x;
+            dark = dark || MAX(pixel[0], MAX(pixel[1], pixel[2])) < 120;
+        }
+        lines += dark && !was_dark;
+        was_dark = dark;
+    }
+    cairo_surface_destroy(surface);
+    return lines;
+}
+
+/* In a narrow picture the longest title of an account takes two lines, and nothing is cut off it. */
+static void test_long_title(CliFixture *fixture, gconstpointer data)
+{
+    g_autofree char *scene = cli_write(fixture, "a.json", THROWN);
+    const int wide = count_lines(fixture, "1000x720");
+    g_assert_cmpint(wide, >, 6);
+    g_assert_cmpint(count_lines(fixture, "640x720"), >, wide);
+}
+
 /* A picture's name never holds a text, nor a text's a picture. */
 static void test_endings(CliFixture *fixture, gconstpointer data)
 {
@@ -524,6 +588,8 @@ int main(int argc, char **argv)
     cli_test_add("/cli/books/long-names", test_long_names);
     cli_test_add("/cli/books/torque-picture", test_torque_picture);
     cli_test_add("/cli/books/torque-value", test_torque_value);
+    cli_test_add("/cli/books/torque-label", test_torque_label_is_not_crossed);
+    cli_test_add("/cli/books/long-title", test_long_title);
     cli_test_add("/cli/books/endings", test_endings);
     g_test_add_func("/cli/books/scale", test_scale);
     return g_test_run();

@@ -130,6 +130,12 @@ static void test_reading_of_a_kink(void)
     g_assert_cmpint(reading.kind, ==, TINKER_READING_MINIMUM);
     g_assert_cmpfloat_with_epsilon(reading.at[0], sqrt(2 * 0.4 / GRAVITY), 1e-9);
     g_assert_cmpfloat_with_epsilon(reading.at[1], 0.5, 1e-9);
+    double now[2]; /* the straight line between the samples about it lies some millimetres above */
+    graph_fixture_run_until(fixture, reading.at[0]);
+    tinker_graph_data_catch_up(data);
+    g_assert_true(tinker_graph_data_now(data, 0, now));
+    g_assert_cmpfloat_with_epsilon(now[0], reading.at[0], 1e-9);
+    g_assert_cmpfloat_with_epsilon(now[1], 0.5, 1e-9);
 }
 
 /* v^2 = -2 g y all along the fall, whatever the time. */

@@ -1,6 +1,8 @@
 /* Every edit of graphs is one step that can be taken back; size, place and order are kept. */
 #include <glib/gstdio.h>
 
+#include <math.h>
+
 #include "graph-fixture.h"
 #include "gui/curve/graph-edit.h"
 
@@ -102,11 +104,29 @@ static void test_room(void)
     g_assert_cmpfloat(large.y, ==, 0);
 }
 
+/* Beside the other, by the shorter way; and where it is as long as it covers nothing, or nothing can be done. */
+static void test_move_to_room(void)
+{
+    const TinkerGraphBox other = {100, 100, 200, 100}, all = {0, 0, 400, 300};
+    TinkerGraphBox box = {130, 180, 100, 50};
+    g_assert_true(tinker_graph_move_to_room(&box, 400, 300, &other, 1));
+    g_assert_true(apart(&box, &other));
+    g_assert_cmpfloat(fabs(box.x - 130), <=, 6);
+    g_assert_cmpfloat(box.y, >=, 200);
+    g_assert_cmpfloat(box.y, <, 212);
+    const TinkerGraphBox there = box;
+    g_assert_true(tinker_graph_move_to_room(&box, 400, 300, &other, 1));
+    g_assert_cmpmem(&box, sizeof box, &there, sizeof there);
+    g_assert_false(tinker_graph_move_to_room(&box, 400, 300, &all, 1));
+    g_assert_cmpmem(&box, sizeof box, &there, sizeof there);
+}
+
 static void add_tests(void)
 {
     g_test_add_func("/gui/graph-edit/steps", test_edits_are_steps);
     g_test_add_func("/gui/graph-edit/saved-and-read", test_saved_and_read);
     g_test_add_func("/gui/graph-edit/room", test_room);
+    g_test_add_func("/gui/graph-edit/move-to-room", test_move_to_room);
 }
 
 int main(int argc, char **argv)

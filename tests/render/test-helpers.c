@@ -294,6 +294,35 @@ static void test_text_is_upright(void)
     sheet_end(&sheet);
 }
 
+/* Numbers of two blocks at one body: neither lies on the other, one that is drawn again is where it was, and what is
+ * far away is not moved. */
+static void test_texts_keep_apart(void)
+{
+    static const struct {
+        double x, y;
+        const char *text;
+    } written[] = {{0, 0, "1.234 m"}, {0.05, 0.02, "45.0\302\260"}, {0.05, 0.02, "45.0\302\260"}, {0, -1, "2 m"}};
+    Sheet sheet;
+    sheet_begin(&sheet, 0);
+    g_autoptr(GPtrArray) texts = sheet.brush.pen.written = tinker_written_texts_new();
+    double middle[G_N_ELEMENTS(written)][2], half[2] = {0};
+    for (gsize i = 0; i < G_N_ELEMENTS(written); i++) {
+        cairo_save(sheet.cairo);
+        sheet.style->text(sheet.style, sheet.cairo, TINKER_COLOUR_TEXT, written[i].x, written[i].y, written[i].text);
+        cairo_restore(sheet.cairo);
+        const double *box = ((const TinkerWrittenText *)texts->pdata[i])->box;
+        for (int k = 0; k < 2; k++)
+            middle[i][k] = (k == 0 ? SCALE * written[i].x : -SCALE * written[i].y) + (box[k] + box[2 + k]) / 2;
+        half[1] = (box[3] - box[1]) / 2;
+    }
+    g_assert_cmpfloat_with_epsilon(middle[0][1], 0, 1e-9);
+    g_assert_cmpfloat(fabs(middle[1][1] - middle[0][1]), >=, 2 * half[1] - 1);
+    g_assert_cmpfloat(fabs(middle[1][1] - middle[0][1]), <, 4 * half[1]);
+    g_assert_cmpfloat_with_epsilon(middle[2][1], middle[1][1], 1e-9);
+    g_assert_cmpfloat_with_epsilon(middle[3][1], SCALE, 1e-9);
+    sheet_end(&sheet);
+}
+
 int main(int argc, char **argv)
 {
     g_test_init(&argc, &argv, NULL);
@@ -308,5 +337,6 @@ int main(int argc, char **argv)
     g_test_add_func("/render/helpers/least-width", test_least_width);
     g_test_add_func("/render/helpers/odd-numbers", test_odd_numbers);
     g_test_add_func("/render/helpers/text-is-upright", test_text_is_upright);
+    g_test_add_func("/render/helpers/texts-keep-apart", test_texts_keep_apart);
     return g_test_run();
 }

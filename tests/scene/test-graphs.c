@@ -55,6 +55,12 @@ static void test_mistakes(void)
         {SCENE("{\"curves\": [{\"expression\": \"2*{Mass 0.masss}\"}]}"),
          "2:28: graphs[0]: expression: column 3: {Mass 0.masss}: Mass 0 has no quantity or property \"masss\"; did you "
          "mean \"mass\"?\n"},
+        {SCENE("{\"curves\": [{\"table\": \"a.csv\", \"time_column\": 1}]}"),
+         "2:13: graphs[0]: column must be another one than that of the time (1)\n"
+         "2:23: graphs[0]: table: \"a.csv\" cannot be read: No such file or directory\n"},
+        {SCENE("{\"curves\": [{\"table\": \"a.csv\", \"time_column\": 0.5}]}"),
+         "2:23: graphs[0]: table: \"a.csv\" cannot be read: No such file or directory\n"
+         "2:47: graphs[0]: time_column must be a whole number from 0\n"},
         {SCENE("{\"curves\": [{\"expression\": \"2*{Mass 0.x}+\"}]}"),
          "2:28: graphs[0]: expression: column 14: a number, t, a function or \"(\" is expected, not the end\n"},
         {SCENE("{\"curves\": [{\"expression\": \"t\", \"block\": \"Mass 0\", \"quantity\": \"x\"}]}"),

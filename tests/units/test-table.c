@@ -5,6 +5,7 @@
 
 #include <glib/gstdio.h>
 
+#include "units/waveform/table-columns.h"
 #include "units/waveform/waveform.h"
 
 static TinkerWaveformEvaluator *evaluator_of(const double *times, const double *values, gsize rows,
@@ -20,6 +21,39 @@ static void evaluate(TinkerWaveformEvaluator *evaluator, double inside, double t
 {
     tinker_waveform_enter_piece(evaluator, inside);
     tinker_waveform_evaluate(evaluator, t, result);
+}
+
+/* Columns have the names of the heading, or none; times may be in any of them. */
+static void test_columns(void)
+{
+    const struct {
+        const char *text, *names; /* with a bar behind each */
+    } cases[] = {{"# made by hand\nframe,t, \"y [m]\"\n1,0.5,7\n2,1.5,8\n", "frame|t|y [m]|"},
+                 {"run,0.5,7\n2,1.5,8\n", "|||"},
+                 {"1;2\n", "||"}};
+    for (gsize i = 0; i < G_N_ELEMENTS(cases); i++) {
+        g_autoptr(GError) error = NULL;
+        g_autofree char *folder = g_dir_make_tmp("tinker-table-XXXXXX", NULL);
+        g_autofree char *path = g_build_filename(folder, "table.csv", NULL);
+        g_assert_true(g_file_set_contents(path, cases[i].text, -1, NULL));
+        g_autoptr(GPtrArray) names = tinker_table_column_names(path, &error);
+        g_assert_no_error(error);
+        g_autoptr(GString) all = g_string_new(NULL);
+        for (guint k = 0; k < names->len; k++)
+            g_string_append_printf(all, "%s|", (const char *)names->pdata[k]);
+        g_assert_cmpstr(all->str, ==, cases[i].names);
+        if (i == 0) {
+            g_autoptr(GArray) rows = g_array_new(FALSE, FALSE, sizeof(double));
+            const double expected[] = {0.5, 1, 1.5, 2};
+            g_assert_true(tinker_table_read_column(path, 1, 0, rows, &error));
+            g_assert_cmpmem(rows->data, rows->len * sizeof(double), expected, sizeof expected);
+        }
+        g_unlink(path);
+        g_rmdir(folder);
+    }
+    g_autoptr(GError) error = NULL;
+    g_assert_null(tinker_table_column_names("/there/is/none.csv", &error));
+    g_assert_error(error, TINKER_WAVEFORM_ERROR, TINKER_WAVEFORM_ERROR_FILE);
 }
 
 static void test_linear(void)
@@ -237,6 +271,7 @@ static void test_file_too_large(void)
 int main(int argc, char **argv)
 {
     g_test_init(&argc, &argv, NULL);
+    g_test_add_func("/table/columns", test_columns);
     g_test_add_func("/table/linear", test_linear);
     g_test_add_func("/table/spline-cubic", test_spline_cubic);
     g_test_add_func("/table/spline-smooth", test_spline_smooth);

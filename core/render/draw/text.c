@@ -158,6 +158,7 @@ static void note(TinkerTextPen *pen, const TinkerText *text, double x, double y,
 void tinker_text_pen_clear(TinkerTextPen *pen)
 {
     g_clear_object((GObject **)&pen->layout);
+    g_clear_pointer(&pen->apart, g_array_unref);
 }
 
 void tinker_text_measure(TinkerTextPen *pen, const TinkerText *text, double *width, double *height)
@@ -209,6 +210,57 @@ void tinker_text_draw(TinkerTextPen *pen, cairo_t *cairo, const TinkerText *text
     cairo_restore(cairo);
     cairo_new_path(cairo);
     if (pen->written) note(pen, text, x, y, box[2], box[3]);
+}
+
+/* On the device: the place that was wanted, how far down from it the text is, and half its size. */
+typedef struct {
+    double x, y, down, across, high;
+} Apart;
+
+static gboolean meets(const GArray *others, const Apart *text)
+{
+    for (guint i = 0; i < others->len; i++) {
+        const Apart *other = &g_array_index(others, Apart, i);
+        if (fabs(other->x - text->x) < other->across + text->across &&
+            fabs(other->y + other->down - text->y - text->down) < other->high + text->high)
+            return TRUE;
+    }
+    return FALSE;
+}
+
+/* How far down from its place a text is free, in lines; 0 where it is nowhere. */
+static double free_line(const GArray *others, Apart text)
+{
+    static const double tried[] = {0, 1, -1, 2, -2};
+    const double line = 2 * text.high;
+    for (guint i = 0; i < others->len; i++) {
+        const Apart *other = &g_array_index(others, Apart, i);
+        if (other->x == text.x && other->y == text.y) return other->down / line;
+    }
+    for (gsize i = 0; i < G_N_ELEMENTS(tried); i++) {
+        text.down = tried[i] * line;
+        if (!meets(others, &text)) return tried[i];
+    }
+    return 0;
+}
+
+void tinker_text_draw_apart(TinkerTextPen *pen, cairo_t *cairo, const TinkerText *text, double x, double y)
+{
+    double width, height, none = 0;
+    if (!text->text || !*text->text || !isfinite(x) || !isfinite(y)) return;
+    if (!pen->apart) pen->apart = g_array_new(FALSE, FALSE, sizeof(Apart));
+    tinker_text_measure(pen, text, &width, &height);
+    Apart wanted = {x + (0.5 - text->anchor_x) * width, y + (0.5 - text->anchor_y) * height, 0, width / 2, height / 2};
+    cairo_user_to_device(cairo, &wanted.x, &wanted.y);
+    cairo_user_to_device_distance(cairo, &wanted.across, &none);
+    none = 0;
+    cairo_user_to_device_distance(cairo, &none, &wanted.high);
+    wanted.across = fabs(wanted.across);
+    wanted.high = fabs(wanted.high);
+    const double lines = free_line(pen->apart, wanted);
+    wanted.down = 2 * lines * wanted.high;
+    g_array_append_val(pen->apart, wanted);
+    tinker_text_draw(pen, cairo, text, x, y + lines * height);
 }
 
 void tinker_text_append_power(GString *to, int exponent)

@@ -22,10 +22,11 @@ typedef struct {
     void *layout;             /* PangoLayout, made at the first text */
     GPtrArray *written;       /* of TinkerWrittenText, for whoever wants to know; or NULL. Borrowed */
     TinkerTextMemory *memory; /* or NULL. Borrowed */
+    GArray *apart;            /* where those that keep apart are; made at the first */
 } TinkerTextPen;
 #define TINKER_TEXT_PEN_INIT                                                                                           \
     {                                                                                                                  \
-        NULL, NULL, NULL                                                                                               \
+        NULL, NULL, NULL, NULL                                                                                         \
     }
 
 /* What a text is written in: that of formulas has serifs, its letters are slanted. */
@@ -57,6 +58,10 @@ void tinker_text_draw_on_line(TinkerTextPen *pen, cairo_t *cairo, const TinkerTe
 
 /* Writes at (x, y) in the context's present colour. */
 void tinker_text_draw(TinkerTextPen *pen, cairo_t *cairo, const TinkerText *text, double x, double y);
+
+/* Likewise, but a line or two higher or lower where it would lie on another that this pen has written so. What is
+ * written at the very same place again stays with the first. */
+void tinker_text_draw_apart(TinkerTextPen *pen, cairo_t *cairo, const TinkerText *text, double x, double y);
 
 /* An array for TinkerTextPen.written. (transfer full) */
 GPtrArray *tinker_written_texts_new(void);

@@ -30,12 +30,11 @@ static void take_text(SceneReader *reader, const cJSON *json, JsonAt at, char **
 static void read_column(SceneReader *reader, const cJSON *json, JsonAt at, int *column)
 {
     double number;
-    if (!reader_number(reader, json, at, "column", reader_pure, &number)) return;
-    if (number >= 1 && number <= TINKER_TABLE_MOST_COLUMN && number == floor(number))
+    if (!reader_number(reader, json, at, json->string, reader_pure, &number)) return;
+    if (number >= 0 && number <= TINKER_TABLE_MOST_COLUMN && number == floor(number))
         *column = (int)number;
     else
-        reader_error(reader, at, TINKER_SCENE_ERROR_VALUE,
-                     "column must be a whole number from 1 (column 0 is the time)");
+        reader_error(reader, at, TINKER_SCENE_ERROR_VALUE, "%s must be a whole number from 0", json->string);
 }
 
 /* A member of a curve; FALSE where it is none. */
@@ -64,8 +63,8 @@ static gboolean read_curve_member(SceneReader *reader, const cJSON *json, JsonAt
 /* A member of an entry of "curves". */
 static void read_entry_member(SceneReader *reader, const cJSON *json, JsonAt at, ReadCurve *read, GString **unknown)
 {
-    static const char *const keys[] = {"block", "quantity", "expression", "table", "column",
-                                       "title", "unit",     "axis",       NULL};
+    static const char *const keys[] = {"block",       "quantity", "expression", "table", "column",
+                                       "time_column", "title",    "unit",       "axis",  NULL};
     TinkerSceneCurve *curve = read->curve;
     if (read_curve_member(reader, json, at, read)) return;
     if (g_str_equal(json->string, "title")) {
@@ -75,6 +74,8 @@ static void read_entry_member(SceneReader *reader, const cJSON *json, JsonAt at,
         take_text(reader, json, at, &curve->unit);
     } else if (g_str_equal(json->string, "column")) {
         read_column(reader, json, at, &curve->column);
+    } else if (g_str_equal(json->string, "time_column")) {
+        read_column(reader, json, at, &curve->time_column);
     } else if (g_str_equal(json->string, "axis")) {
         double axis;
         read->axis_at = at;
@@ -114,6 +115,9 @@ static void read_curves(SceneReader *reader, const cJSON *json, JsonAt at, ReadG
         }
         for (const cJSON *member = entry->child; member != NULL; member = member->next, step++)
             read_entry_member(reader, member, at_child(curve.at, step), &curve, &unknown);
+        if (curve.curve->column == curve.curve->time_column)
+            reader_error(reader, curve.at, TINKER_SCENE_ERROR_VALUE,
+                         "column must be another one than that of the time (%d)", curve.curve->time_column);
         curve.curve->extras = unknown == NULL ? NULL : g_string_free(unknown, FALSE);
         g_array_append_val(read->curves, curve);
     }

@@ -53,8 +53,9 @@ typedef struct {
     char *block;      /* name, or "Scene"; NULL where it is no quantity */
     char *quantity;   /* likewise its id */
     char *expression; /* see scene-expression.h */
-    char *table;      /* relative to the scene's folder; time is in its column 0 */
-    int column;       /* of the table, from 1 */
+    char *table;      /* relative to the scene's folder */
+    int column;       /* of the table, from 0: the values, */
+    int time_column;  /* and the times, in another one */
     char *title;      /* may be NULL */
     char *unit;       /* of an expression or a table, as read by people; may be NULL */
     int axis;         /* 1: left, 2: right */

@@ -79,6 +79,10 @@ static void write_curve(SceneWriter *writer, const TinkerSceneCurve *curve)
     if (curve->table != NULL) {
         scene_write_key(writer, "column");
         g_string_append_printf(writer->out, "%d", curve->column);
+        if (curve->time_column != 0) {
+            scene_write_key(writer, "time_column");
+            g_string_append_printf(writer->out, "%d", curve->time_column);
+        }
     }
     if (curve->title != NULL) scene_write_text_member(writer, "title", curve->title);
     if (curve->unit != NULL) scene_write_text_member(writer, "unit", curve->unit);

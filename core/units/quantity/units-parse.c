@@ -261,7 +261,7 @@ static gboolean check_text(const char *text, GError **error)
 {
     const char *end;
     if (g_utf8_validate(text, -1, &end)) return TRUE;
-    g_set_error(error, TINKER_UNITS_ERROR, TINKER_UNITS_ERROR_SYNTAX, "column %ld: the text is not UTF-8 here",
+    g_set_error(error, TINKER_UNITS_ERROR, TINKER_UNITS_ERROR_SYNTAX, _("column %ld: the text is not UTF-8 here"),
                 g_utf8_pointer_to_offset(text, end) + 1);
     return FALSE;
 }

@@ -68,7 +68,7 @@ static gboolean read_columns(TinkerChart *chart, const char *path, const GPtrArr
                         name, name, path);
             return FALSE;
         }
-        if (!tinker_table_read_column(path, number, rows, error)) return FALSE;
+        if (!tinker_table_read_column(path, 0, number, rows, error)) return FALSE;
     }
     return TRUE;
 }

@@ -165,7 +165,7 @@ static gboolean add_table(TinkerChart *chart, const TinkerSceneCurve *from, cons
     curve.name = from->title != NULL ? g_strdup(from->title) : g_strdup_printf("%s, %d", from->table, from->column);
     curve.axis = tinker_graph_axis_of_value(chart->scene, curve.name, NULL, from->unit);
     g_array_append_val(chart->curves, curve);
-    return tinker_table_read_column(file, from->column, curve.table, error);
+    return tinker_table_read_column(file, from->time_column, from->column, curve.table, error);
 }
 
 static gboolean add_curve(TinkerChart *chart, const TinkerSceneGraph *graph, const TinkerSceneCurve *curve,

@@ -255,17 +255,20 @@ static void draw_entries(Drawing *drawing, const Account *account, const double 
 static void draw_account(Drawing *drawing, Which which, const double place[4])
 {
     Account account = account_of(drawing->picture, which);
-    const double room = place[3] - place[1] - HEADING;
+    const double room_across = fmax(place[2] - place[0], 1);
+    const TinkerText title = {.text = account.title, .size = TEXT, .bold = TRUE, .limit = room_across, .lines = 2};
+    double across, high;
+    tinker_text_measure(&drawing->pen, &title, &across, &high);
+    const double top = place[1] + (high > 1.8 * TEXT ? high / 2 : 0); /* lower where the title takes two lines */
+    const double room = place[3] - top - HEADING;
     gather(&account, (guint)fmax(room / LEAST_ROW, 1));
     const double row = fmin(MOST_ROW, room / account.entries->len);
     g_autofree char *left = quantity(drawing, account.balance->residual, account.dimension);
     g_autofree char *over = g_strdup_printf(_("left over: %s"), left);
-    const double room_across = fmax(place[2] - place[0], 1);
-    const TinkerText title = {.text = account.title, .size = TEXT, .bold = TRUE, .limit = room_across};
     write_text(drawing, title, place[0], place[1]);
     write_text(drawing, (TinkerText){.text = over, .size = TEXT - 1, .limit = room_across}, place[0],
-               place[1] + HEADING / 2 - 1);
-    draw_entries(drawing, &account, (double[]){place[0], place[1] + HEADING, place[2], place[3]}, row);
+               top + HEADING / 2 - 1);
+    draw_entries(drawing, &account, (double[]){place[0], top + HEADING, place[2], place[3]}, row);
     g_free(account.title);
     g_array_unref(account.entries);
 }

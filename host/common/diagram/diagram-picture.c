@@ -22,9 +22,11 @@
 #define NARROW_PART 330.0 /* of the paper: below it arrows have numbers in place of names, as the list has, */
 #define LEAST_PART  170.0 /* and below this no values */
 
-#define TURN_SHARE 0.2 /* of the same, the radius of a turning arrow */
-#define TURN_STEP  8.0 /* between two of them */
-#define TURN_HEAD  8.0
+#define TURN_SHARE   0.2 /* of the same, the radius of a turning arrow */
+#define TURN_STEP    8.0 /* between two of them */
+#define TURN_HEAD    8.0
+#define TURN_LABEL   110.0 /* about as long as a label of an arc is */
+#define ARROW_PIECES 40    /* that an arrow is looked at in */
 
 #define BODY_SHARE  0.24 /* of the lesser side of its part of the paper, for one body; */
 #define WIDE_SHARE  0.42 /* for several */
@@ -273,16 +275,30 @@ typedef struct {
     guint count;
 } Turns;
 
-/* Up over across: a steeper force passes by labels beside it. */
-#define FLAT 0.6
-
-/* How far (canvas units, downwards) labels at the right of the arcs make way for a force that points there. */
-static double way_of(const DiagramDrawing *drawing, double half)
+/* Whether an arrow passes through a box of the canvas. */
+static gboolean is_crossed(const Part *part, const double box[4])
 {
-    for (guint i = 0; i < drawing->forces->len; i++) {
-        const double *force = g_array_index(drawing->forces, TinkerDiagramForce, i).force;
-        if (force[0] > 0 && fabs(force[1]) < FLAT * force[0])
-            return (force[1] > 0 ? 1 : -1) * (half + 0.6 * DIAGRAM_ROW);
+    for (guint i = 0; i < part->arrows->len; i++) {
+        const TinkerForceArrow *arrow = &g_array_index(part->arrows, TinkerForceArrow, i);
+        for (int k = 0; k <= ARROW_PIECES; k++) {
+            const double share = (double)k / ARROW_PIECES;
+            double x, y;
+            tinker_view_to_canvas(part->view, arrow->x + share * arrow->fx, arrow->y + share * arrow->fy, &x, &y);
+            if (x > box[0] && x < box[2] && y > box[1] && y < box[3]) return TRUE;
+        }
+    }
+    return FALSE;
+}
+
+/* How far (canvas units, downwards) labels at the right of the arcs, half as high as this, make way for arrows. */
+static double way_of(const Part *part, double beside, double middle, double half)
+{
+    static const double steps[] = {0, 1, -1, 2, -2, 3, -3};
+    for (gsize i = 0; i < G_N_ELEMENTS(steps); i++) {
+        const double way = steps[i] * 0.8 * DIAGRAM_ROW, y = middle + way;
+        const double box[] = {beside - TURN_HEAD, y - half - TURN_HEAD / 2, beside + TURN_LABEL,
+                              y + half + TURN_HEAD / 2};
+        if (!is_crossed(part, box)) return way;
     }
     return 0;
 }
@@ -298,7 +314,7 @@ static Turns turns_of(const Part *part, gboolean kinetic)
     const double half = 0.5 * DIAGRAM_ROW * turns.count, least = turns.least;
     const double half_label = (part->drawing->brief ? 1 : 3) * DIAGRAM_ROW;
     const double beside = turns.at[0] + least + TURN_STEP * turns.count;
-    const double middle = turns.at[1] + way_of(part->drawing, half);
+    const double middle = turns.at[1] + (kinetic ? 0 : way_of(part, beside, turns.at[1], half));
     /* below, where the arc is open, or above where the resultant points there */
     const double above = turns.at[1] - least - 1.5 * DIAGRAM_ROW;
     const double y = diagram->kinetic[1] < 0 && above > HEADING ? above : turns.at[1] + least;
@@ -343,6 +359,8 @@ static void draw_part(DiagramDrawing *drawing, const double place[4], const char
                  .longest = fmin(ARROW_SHARE * drawing->lesser, MOST_ARROW),
                  .arrows = g_array_new(FALSE, TRUE, sizeof(TinkerForceArrow)),
                  .texts = g_ptr_array_new_with_free_func(g_free)};
+    if (!kinetic) add_forces(&part);
+    if (kinetic && diagram_has_resultant(diagram)) add_resultant(&part);
     const Turns turns = turns_of(&part, kinetic);
     double taken[2][4] = {{0, 0, width, HEADING}};
     memcpy(taken[1], turns.labels, sizeof taken[1]);
@@ -362,8 +380,6 @@ static void draw_part(DiagramDrawing *drawing, const double place[4], const char
     cairo_clip(drawing->cairo);
     cairo_translate(drawing->cairo, place[0], place[1]);
     draw_bodies(drawing, &view);
-    if (!kinetic) add_forces(&part);
-    if (kinetic && diagram_has_resultant(diagram)) add_resultant(&part);
     tinker_arrows_draw(drawing->cairo, &view, (const TinkerForceArrow *)(gpointer)part.arrows->data, part.arrows->len,
                        &options);
     draw_torques(&part, &turns, kinetic);

@@ -5,9 +5,11 @@
 #include <math.h>
 #include <string.h>
 
-#define MARGIN 16.0 /* widget units, of a new graph to the border and to others */
-#define GAP    8.0
-#define STEPS  12 /* places that are tried along each side */
+#define MARGIN    16.0 /* widget units, of a new graph to the border and to others */
+#define GAP       8.0
+#define NEAR_GAP  2.0 /* about what moves out of the way of others, */
+#define NEAR_STEP 6.0 /* and how finely a place for it is looked for */
+#define STEPS     12  /* places that are tried along each side */
 
 static const TinkerSceneGraph *graph_of(TinkerDocument *document, int number)
 {
@@ -105,6 +107,7 @@ gboolean tinker_graph_add_curve(TinkerDocument *document, int number, const Tink
     added->title = g_strdup(curve->title);
     added->unit = g_strdup(curve->unit);
     added->column = curve->column;
+    added->time_column = curve->time_column;
     added->axis = curve->axis;
     return change(document, number, graph, error);
 }
@@ -152,6 +155,34 @@ static double covered(const TinkerGraphBox *a, const TinkerGraphBox *b)
     return width > 0 && height > 0 ? width * height : 0;
 }
 
+static double covered_of_all(const TinkerGraphBox *box, const TinkerGraphBox *taken, int count)
+{
+    double sum = 0;
+    for (int k = 0; k < count; k++)
+        sum += covered(box, &taken[k]);
+    return sum;
+}
+
+gboolean tinker_graph_move_to_room(TinkerGraphBox *box, double width, double height, const TinkerGraphBox *taken,
+                                   int count)
+{
+    const double right = fmax(width - box->width - NEAR_GAP, 0), bottom = fmax(height - box->height - NEAR_GAP, 0);
+    const TinkerGraphBox wanted = *box;
+    double least = INFINITY;
+    if (covered_of_all(box, taken, count) == 0) return TRUE;
+    for (double x = fmin(NEAR_GAP, right); x <= right; x += NEAR_STEP)
+        for (double y = fmin(NEAR_GAP, bottom); y <= bottom; y += NEAR_STEP) {
+            const double away = hypot(x - wanted.x, y - wanted.y);
+            const TinkerGraphBox around = {x - NEAR_GAP, y - NEAR_GAP, box->width + 2 * NEAR_GAP,
+                                           box->height + 2 * NEAR_GAP};
+            if (away >= least || covered_of_all(&around, taken, count) > 0) continue;
+            least = away;
+            box->x = x;
+            box->y = y;
+        }
+    return isfinite(least);
+}
+
 void tinker_graph_find_room(TinkerGraphBox *box, double width, double height, const TinkerGraphBox *taken, int count)
 {
     double right = fmax(width - box->width - MARGIN, 0), bottom = fmax(height - box->height - MARGIN, 0);
@@ -162,9 +193,7 @@ void tinker_graph_find_room(TinkerGraphBox *box, double width, double height, co
         tried.x = right - (right - left) * (i / STEPS) / (STEPS - 1);
         tried.y = top + (bottom - top) * (i % STEPS) / (STEPS - 1);
         around = (TinkerGraphBox){tried.x - GAP, tried.y - GAP, tried.width + 2 * GAP, tried.height + 2 * GAP};
-        double sum = 0;
-        for (int k = 0; k < count; k++)
-            sum += covered(&around, &taken[k]);
+        const double sum = covered_of_all(&around, taken, count);
         if (sum >= least) continue;
         least = sum;
         best = tried;

@@ -44,4 +44,9 @@ typedef struct {
  * any, else as little as can be. Places to the right and at the top come first. */
 void tinker_graph_find_room(TinkerGraphBox *box, double width, double height, const TinkerGraphBox *taken, int count);
 
+/* Moves `box`, which covers some of `taken`, to the nearest place that covers none; FALSE, and it stays, where there is
+ * none. */
+gboolean tinker_graph_move_to_room(TinkerGraphBox *box, double width, double height, const TinkerGraphBox *taken,
+                                   int count);
+
 #endif

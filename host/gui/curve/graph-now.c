@@ -2,7 +2,10 @@
 #include <math.h>
 
 #include "gui/curve/graph-data-private.h"
+#include "gui/curve/graph-reading.h"
 
+/* Straight between two samples, as bodies on the canvas are; but at a maximum or minimum that was gone to what is read
+ * there, which the straight line would cut off. */
 gboolean tinker_graph_data_now(const TinkerGraphData *data, guint curve, double now[2])
 {
     gsize point;
@@ -14,6 +17,8 @@ gboolean tinker_graph_data_now(const TinkerGraphData *data, guint curve, double 
     const double span = times[next] - times[point], share = span > 0 ? fmin((data->time - times[point]) / span, 1) : 0;
     now[0] = x[point] + share * (x[next] - x[point]);
     now[1] = y[point] + share * (y[next] - y[point]);
+    TinkerGraphReading turn;
+    if (data->over_time && tinker_graph_reading_extremum_at(series, data->time, &turn)) now[1] = turn.at[1];
     return TRUE;
 }
 

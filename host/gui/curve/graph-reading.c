@@ -134,6 +134,22 @@ gboolean tinker_graph_reading_snap(const TinkerGraphSeries *series, const Tinker
     return nearest < reach;
 }
 
+gboolean tinker_graph_reading_extremum_at(const TinkerGraphSeries *series, double time, TinkerGraphReading *reading)
+{
+    const double *x = tinker_graph_series_x(series), *y = tinker_graph_series_y(series);
+    const gsize count = tinker_graph_series_count(series);
+    if (!can_read(series) || count == 0) return FALSE;
+    const gsize next = tinker_curve_first_from(x, count, time);
+    for (gsize point = next > 0 ? next - 1 : 0; point < count && point <= next; point++) {
+        TinkerGraphReading tried = {.point = point};
+        if (!extremum_about(x, y, count, point, &tried)) continue;
+        if (fabs(tried.at[0] - time) > SAME_TIME * fmax(1, fabs(time))) continue;
+        *reading = tried;
+        return TRUE;
+    }
+    return FALSE;
+}
+
 gboolean tinker_graph_reading_next(const TinkerGraphSeries *series, double time, gboolean forward,
                                    TinkerGraphReading *reading)
 {

@@ -23,6 +23,9 @@ typedef struct {
 gboolean tinker_graph_reading_snap(const TinkerGraphSeries *series, const TinkerPlotGeometry *geometry, double x,
                                    double y, double reach, TinkerGraphReading *reading);
 
+/* The maximum or minimum at this very time (s), if it is one, such as one that was gone to. */
+gboolean tinker_graph_reading_extremum_at(const TinkerGraphSeries *series, double time, TinkerGraphReading *reading);
+
 /* The next one after a time (s), or the one before it. */
 gboolean tinker_graph_reading_next(const TinkerGraphSeries *series, double time, gboolean forward,
                                    TinkerGraphReading *reading);

@@ -94,7 +94,7 @@ static void read_table(TinkerGraphSeries *series, TinkerScene *scene, const char
     series->symbol =
         curve->title != NULL ? g_strdup(curve->title) : g_strdup_printf("%s, %d", curve->table, curve->column);
     series->y_axis = tinker_graph_axis_of_value(scene, series->symbol, NULL, curve->unit);
-    if (!tinker_table_read_column(file, curve->column, rows, &error)) {
+    if (!tinker_table_read_column(file, curve->time_column, curve->column, rows, &error)) {
         series->fault = g_strdup(error->message);
         return;
     }

@@ -213,7 +213,7 @@ gboolean tinker_document_changed_on_disk(TinkerDocument *document)
 char *tinker_document_name(TinkerDocument *document)
 {
     const char *title = tinker_scene_head(document->scene)->title;
-    if (title[0] != '\0') return g_strdup(tinker_translate(title));
+    if (title[0] != '\0') return g_strdup(tinker_translate_title(title));
     return document->origin.path != NULL ? g_path_get_basename(document->origin.path) : g_strdup(_("Untitled"));
 }
 

@@ -6,12 +6,11 @@
 #include <string.h>
 
 #include "gui/curve/graph-edit.h"
-#include "gui/document/carry-tables.h"
+#include "gui/graph/table-dialog.h"
 #include "gui/text/sentence.h"
 #include "gui/text/translate.h"
 #include "gui/widget/choices.h"
 #include "scene/store/quantities.h"
-#include "units/waveform/table-columns.h"
 
 #define WIDTH       540
 #define HEIGHT      440
@@ -220,41 +219,14 @@ static void on_add_expression(Dialog *dialog)
     if (curve.expression[0] != '\0' && add(dialog, &curve)) gtk_editable_set_text(GTK_EDITABLE(dialog->expression), "");
 }
 
-static void on_table(GtkNativeDialog *chooser, int response, GtkWindow *window)
+static void on_told(GtkWindow *window, GError *error)
 {
-    Dialog *dialog = g_object_get_data(G_OBJECT(window), "dialog");
-    g_autoptr(GFile) file = gtk_file_chooser_get_file(GTK_FILE_CHOOSER(chooser));
-    g_autofree char *path = file != NULL ? g_file_get_path(file) : NULL;
-    const char *scene = tinker_document_path(dialog->document);
-    if (response == GTK_RESPONSE_ACCEPT && path != NULL) {
-        g_autoptr(GError) error = NULL;
-        g_autoptr(GArray) rows = g_array_new(FALSE, FALSE, sizeof(double));
-        gboolean made;
-        g_autofree char *name = table_name_in_scene(scene, path);
-        if (name == NULL) name = table_name_of_copy(scene, path);
-        const TinkerSceneCurve curve = {.table = name, .column = 1, .axis = 1};
-        if (tinker_table_read_column(path, curve.column, rows, &error) &&
-            table_copy_beside(scene, path, name, &made, &error))
-            tinker_graph_add_curve(dialog->document, dialog->number, &curve, &error);
-        tell(dialog, error);
-    }
-    g_object_unref(window);
-    g_object_unref(chooser);
+    tell(g_object_get_data(G_OBJECT(window), "dialog"), error);
 }
 
 static void on_add_table(Dialog *dialog)
 {
-    if (tinker_document_path(dialog->document) == NULL) {
-        g_autoptr(GError) error = g_error_new_literal(TINKER_SCENE_ERROR, TINKER_SCENE_ERROR_FILE,
-                                                      _("Save the scene first: tables lie beside it."));
-        tell(dialog, error);
-        return;
-    }
-    GtkFileChooserNative *chooser = gtk_file_chooser_native_new(_("Choose a Table"), dialog->window,
-                                                                GTK_FILE_CHOOSER_ACTION_OPEN, _("_Open"), _("_Cancel"));
-    gtk_native_dialog_set_modal(GTK_NATIVE_DIALOG(chooser), TRUE);
-    g_signal_connect(chooser, "response", G_CALLBACK(on_table), g_object_ref(dialog->window));
-    gtk_native_dialog_show(GTK_NATIVE_DIALOG(chooser));
+    tinker_table_dialog_open(dialog->window, dialog->document, dialog->number, on_told);
 }
 
 static void on_scale(GtkWidget *button, Dialog *dialog)

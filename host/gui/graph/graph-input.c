@@ -141,8 +141,8 @@ static GdkModifierType modifiers_of(gpointer controller)
     return gtk_event_controller_get_current_event_state(controller);
 }
 
-/* The point of a curve that is not over time, under the pointer. */
-static gboolean read_for_time(TinkerGraphPlot *plot, double x, double y, TinkerGraphReading *reading)
+/* What the pointer reads of a curve at a place, as it is drawn beside it. */
+static gboolean read_pointer(TinkerGraphPlot *plot, double x, double y, TinkerGraphReading *reading)
 {
     TinkerPlot picture = {.memory = plot->memory};
     tinker_graph_plot_fill(plot, &picture);
@@ -155,10 +155,13 @@ static void clicked(TinkerGraphPlot *plot, double x, double y, GdkModifierType m
     TinkerGraphReading reading = {0};
     if (x < at->left || x > at->right || y < at->top || y > at->bottom) return;
     if (modifiers & GDK_CONTROL_MASK) {
-        if (is_measured(plot) && tinker_graph_plot_read_place(plot, x, y, &reading)) put_cursor(plot, &reading);
+        /* what is read there, if anything is: a cursor beside the point that is told would surprise */
+        if (is_measured(plot) && ((plot->show_values && read_pointer(plot, x, y, &reading)) ||
+                                  tinker_graph_plot_read_place(plot, x, y, &reading)))
+            put_cursor(plot, &reading);
     } else if (is_over_time(plot)) {
         if (!tinker_graph_data_is_empty(plot->data)) go_to(plot, tinker_plot_scale_value(&at->x, x));
-    } else if (!is_measured(plot) && read_for_time(plot, x, y, &reading)) {
+    } else if (!is_measured(plot) && read_pointer(plot, x, y, &reading)) {
         go_to(plot, tinker_graph_series_times(tinker_graph_data_curve(plot->data, reading.curve))[reading.point]);
     }
 }

@@ -6,6 +6,8 @@
 #define INNER  5.0 /* widget units: between a text and its box */
 #define RADIUS 3.5
 
+#define NO_BREAK "\u00a0" /* a blank at which no line ends */
+
 static void set_colour(cairo_t *cairo, const double colour[4], double share)
 {
     cairo_set_source_rgba(cairo, colour[0], colour[1], colour[2], share * colour[3]);
@@ -83,9 +85,20 @@ static void draw_cursor(TinkerGraphPlot *plot, cairo_t *cairo, int number)
     draw_text(plot, cairo, letters[number], x, at->top + 3 * INNER);
 }
 
-void tinker_graph_plot_draw_marks(TinkerGraphPlot *plot, cairo_t *cairo)
+/* What the cursors say, which may be broken between its parts, but not within one. (transfer full) */
+static char *cursor_text_in_parts(TinkerGraphPlot *plot)
 {
     g_autofree char *text = tinker_graph_plot_cursor_text(plot);
+    if (text == NULL) return NULL;
+    GString *parts = g_string_new(text);
+    g_string_replace(parts, " ", NO_BREAK, 0);
+    g_string_replace(parts, "," NO_BREAK, ", ", 0);
+    return g_string_free(parts, FALSE);
+}
+
+void tinker_graph_plot_draw_marks(TinkerGraphPlot *plot, cairo_t *cairo)
+{
+    g_autofree char *text = cursor_text_in_parts(plot);
     for (int i = 0; i < plot->cursor_count; i++)
         draw_cursor(plot, cairo, i);
     if (text != NULL)

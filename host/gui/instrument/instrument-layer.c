@@ -27,7 +27,9 @@ struct _TinkerInstrumentLayer {
     TinkerDocument *document;
     TinkerPlayer *player;
     TinkerHand *hand;
-    GPtrArray *views; /* of TinkerInstrumentView, which are children: borrowed */
+    GPtrArray *views;                  /* of TinkerInstrumentView, which are children: borrowed */
+    GArray *boxes;                     /* of TinkerGraphBox: where these are */
+    GArray *graph_boxes, *block_boxes; /* likewise, what was about when one looked last; of graphs and fields, too */
 
     TinkerInstrumentView *dragged; /* borrowed; NULL: none */
     double press[2], from[2], way[2];
@@ -59,40 +61,80 @@ static double below_fields(TinkerInstrumentLayer *layer)
     return reach[1] + EDGE;
 }
 
-/* On the layer: always within it, however the canvas is looked at. One without a place stands at the left, below the
- * fields. */
-static void place_of(TinkerInstrumentLayer *layer, TinkerInstrumentView *view, double size[2], double place[2])
+/* Where it is wanted: always within the layer, however the canvas is looked at. One without a place stands at the left,
+ * below the fields. */
+static TinkerGraphBox wanted_box(TinkerInstrumentLayer *layer, TinkerInstrumentView *view)
 {
     const TinkerSceneInstrument *instrument = instrument_of(layer, view);
     GtkRequisition natural;
     gtk_widget_get_preferred_size(GTK_WIDGET(view), NULL, &natural);
-    size[0] = shrinkage(layer) * natural.width;
-    size[1] = shrinkage(layer) * natural.height;
-    if (instrument->has_place) {
-        tinker_view_to_canvas(tinker_canvas_view(layer->canvas), instrument->place[0], instrument->place[1], &place[0],
-                              &place[1]);
-    } else {
-        place[0] = EDGE;
-        place[1] = below_fields(layer) + tinker_instrument_view_number(view) * (USUAL_HEIGHT + EDGE);
-    }
+    TinkerGraphBox box = {EDGE, 0, shrinkage(layer) * natural.width, shrinkage(layer) * natural.height};
     if (view == layer->dragged) {
-        place[0] = layer->from[0] + layer->way[0];
-        place[1] = layer->from[1] + layer->way[1];
+        box.x = layer->from[0] + layer->way[0];
+        box.y = layer->from[1] + layer->way[1];
+    } else if (instrument->has_place) {
+        tinker_view_to_canvas(tinker_canvas_view(layer->canvas), instrument->place[0], instrument->place[1], &box.x,
+                              &box.y);
+    } else {
+        box.y = below_fields(layer) + tinker_instrument_view_number(view) * (USUAL_HEIGHT + EDGE);
     }
-    place[0] = fmax(fmin(round(place[0]), gtk_widget_get_width(GTK_WIDGET(layer)) - size[0] - EDGE), EDGE);
-    place[1] = fmax(fmin(round(place[1]), gtk_widget_get_height(GTK_WIDGET(layer)) - size[1] - EDGE), EDGE);
+    box.x = fmax(fmin(round(box.x), gtk_widget_get_width(GTK_WIDGET(layer)) - box.width - EDGE), EDGE);
+    box.y = fmax(fmin(round(box.y), gtk_widget_get_height(GTK_WIDGET(layer)) - box.height - EDGE), EDGE);
+    return box;
+}
+
+/* Out of the way of those before it and of graphs; where instruments are smaller than they were put there, since the
+ * canvas is small, also of blocks, if there is room for that. */
+static void make_way(TinkerInstrumentLayer *layer, TinkerGraphBox *box)
+{
+    const double width = gtk_widget_get_width(GTK_WIDGET(layer)), height = gtk_widget_get_height(GTK_WIDGET(layer));
+    g_autoptr(GArray) taken = g_array_copy(layer->boxes);
+    g_array_append_vals(taken, layer->graph_boxes->data, layer->graph_boxes->len);
+    const guint firm = taken->len;
+    if (shrinkage(layer) < 1) g_array_append_vals(taken, layer->block_boxes->data, layer->block_boxes->len);
+    const TinkerGraphBox *all = (const TinkerGraphBox *)(gpointer)taken->data;
+    if (!tinker_graph_move_to_room(box, width, height, all, (int)taken->len))
+        tinker_graph_move_to_room(box, width, height, all, (int)firm);
+}
+
+/* The boxes of all, in order. One that is dragged goes where the pointer takes it, and the others stay. */
+static void arrange(TinkerInstrumentLayer *layer)
+{
+    g_array_set_size(layer->boxes, 0);
+    for (guint i = 0; i < layer->views->len; i++) {
+        TinkerInstrumentView *view = g_ptr_array_index(layer->views, i);
+        TinkerGraphBox box = wanted_box(layer, view);
+        if (view != layer->dragged) make_way(layer, &box);
+        g_array_append_val(layer->boxes, box);
+    }
+}
+
+/* What is drawn about now is what stands in the way, until one looks elsewhere or the scene is another one: instruments
+ * do not run away from what moves. */
+static void look_about(TinkerInstrumentLayer *layer)
+{
+    g_array_unref(layer->graph_boxes);
+    g_array_unref(layer->block_boxes);
+    layer->graph_boxes = tinker_graph_layer_taken(layer->graphs, NULL);
+    layer->block_boxes = tinker_graph_layer_taken(layer->graphs, tinker_player_frame(layer->player));
+    gtk_widget_queue_allocate(GTK_WIDGET(layer));
+}
+
+static TinkerGraphBox box_of(TinkerInstrumentLayer *layer, TinkerInstrumentView *view)
+{
+    return g_array_index(layer->boxes, TinkerGraphBox, tinker_instrument_view_number(view));
 }
 
 static void tinker_instrument_layer_size_allocate(GtkWidget *widget, int width, int height, int baseline)
 {
     TinkerInstrumentLayer *layer = TINKER_INSTRUMENT_LAYER(widget);
+    arrange(layer);
     for (guint i = 0; i < layer->views->len; i++) {
-        double size[2], place[2];
         GtkWidget *view = g_ptr_array_index(layer->views, i);
         const float factor = (float)shrinkage(layer);
-        place_of(layer, TINKER_INSTRUMENT_VIEW(view), size, place);
-        GskTransform *there = gsk_transform_translate(NULL, &GRAPHENE_POINT_INIT((float)place[0], (float)place[1]));
-        gtk_widget_allocate(view, (int)round(size[0] / factor), (int)round(size[1] / factor), -1,
+        const TinkerGraphBox box = g_array_index(layer->boxes, TinkerGraphBox, i);
+        GskTransform *there = gsk_transform_translate(NULL, &GRAPHENE_POINT_INIT((float)box.x, (float)box.y));
+        gtk_widget_allocate(view, (int)round(box.width / factor), (int)round(box.height / factor), -1,
                             gsk_transform_scale(there, factor, factor));
     }
 }
@@ -108,10 +150,10 @@ void tinker_instrument_layer_find_room(TinkerInstrumentLayer *layer, double plac
     const double full = shrinkage(layer) * FULL_HEIGHT;
     TinkerGraphBox box = {.width = shrinkage(layer) * USUAL_WIDTH, .height = full};
     g_autoptr(GArray) taken = tinker_graph_layer_taken(layer->graphs, tinker_player_frame(layer->player));
-    for (guint i = 0; i < layer->views->len; i++) {
-        double size[2], at[2];
-        place_of(layer, g_ptr_array_index(layer->views, i), size, at);
-        const TinkerGraphBox other = {at[0], at[1], size[0], fmax(size[1], full)};
+    arrange(layer);
+    for (guint i = 0; i < layer->boxes->len; i++) {
+        TinkerGraphBox other = g_array_index(layer->boxes, TinkerGraphBox, i);
+        other.height = fmax(other.height, full);
         g_array_append_val(taken, other);
     }
     tinker_graph_find_room(&box, view->width, view->height - BAR_HEIGHT, (const TinkerGraphBox *)(gpointer)taken->data,
@@ -121,16 +163,16 @@ void tinker_instrument_layer_find_room(TinkerInstrumentLayer *layer, double plac
 
 void tinker_instrument_layer_draw(TinkerInstrumentLayer *layer, cairo_t *cairo)
 {
+    arrange(layer);
     for (guint i = 0; i < layer->views->len; i++) {
-        double size[2], place[2];
-        place_of(layer, g_ptr_array_index(layer->views, i), size, place);
+        const TinkerGraphBox box = g_array_index(layer->boxes, TinkerGraphBox, i);
         g_autoptr(GdkPaintable) seen = gtk_widget_paintable_new(g_ptr_array_index(layer->views, i));
         GtkSnapshot *snapshot = gtk_snapshot_new();
-        gdk_paintable_snapshot(seen, snapshot, size[0] / shrinkage(layer), size[1] / shrinkage(layer));
+        gdk_paintable_snapshot(seen, snapshot, box.width / shrinkage(layer), box.height / shrinkage(layer));
         GskRenderNode *node = gtk_snapshot_free_to_node(snapshot);
         if (node == NULL) continue;
         cairo_save(cairo);
-        cairo_translate(cairo, place[0], place[1]);
+        cairo_translate(cairo, box.x, box.y);
         cairo_scale(cairo, shrinkage(layer), shrinkage(layer));
         gsk_render_node_draw(node, cairo);
         cairo_restore(cairo);
@@ -141,10 +183,10 @@ void tinker_instrument_layer_draw(TinkerInstrumentLayer *layer, cairo_t *cairo)
 /* Moving --------------------------------------------------------------------------------------------------------------
  */
 
-static void commit(TinkerInstrumentLayer *layer, TinkerInstrumentView *view, const double at[2], const char *merge)
+static void commit(TinkerInstrumentLayer *layer, TinkerInstrumentView *view, double x, double y, const char *merge)
 {
     double place[2];
-    tinker_view_to_world(tinker_canvas_view(layer->canvas), at[0], at[1], &place[0], &place[1]);
+    tinker_view_to_world(tinker_canvas_view(layer->canvas), x, y, &place[0], &place[1]);
     tinker_instrument_move(layer->document, tinker_instrument_view_number(view), place, merge);
 }
 
@@ -165,9 +207,10 @@ static void pointer_of(TinkerInstrumentLayer *layer, GtkGestureDrag *gesture, do
 
 static void on_drag_begin(GtkGestureDrag *gesture, double x, double y, TinkerInstrumentLayer *layer)
 {
-    double size[2];
     gtk_widget_grab_focus(GTK_WIDGET(view_of(gesture)));
-    place_of(layer, view_of(gesture), size, layer->from);
+    const TinkerGraphBox box = box_of(layer, view_of(gesture));
+    layer->from[0] = box.x;
+    layer->from[1] = box.y;
     layer->dragged = view_of(gesture);
     layer->way[0] = layer->way[1] = 0;
     pointer_of(layer, gesture, 0, 0, layer->press);
@@ -187,11 +230,10 @@ static void on_drag_update(GtkGestureDrag *gesture, double dx, double dy, Tinker
 static void on_drag_end(GtkGestureDrag *gesture, double dx, double dy, TinkerInstrumentLayer *layer)
 {
     TinkerInstrumentView *view = view_of(gesture);
-    double size[2], place[2];
     if (layer->dragged != view) return;
-    place_of(layer, view, size, place);
+    const TinkerGraphBox box = wanted_box(layer, view);
     layer->dragged = NULL;
-    if (layer->way[0] != 0 || layer->way[1] != 0) commit(layer, view, place, NULL);
+    if (layer->way[0] != 0 || layer->way[1] != 0) commit(layer, view, box.x, box.y, NULL);
 }
 
 static gboolean on_key(GtkEventControllerKey *controller, guint key, guint code, GdkModifierType modifiers,
@@ -201,11 +243,8 @@ static gboolean on_key(GtkEventControllerKey *controller, guint key, guint code,
               down = (key == GDK_KEY_Down) - (key == GDK_KEY_Up);
     if ((right == 0 && down == 0) || !(modifiers & GDK_SHIFT_MASK)) return GDK_EVENT_PROPAGATE;
     if (GTK_IS_TEXT(gtk_root_get_focus(gtk_widget_get_root(GTK_WIDGET(layer))))) return GDK_EVENT_PROPAGATE;
-    double size[2], place[2];
-    place_of(layer, view_of(controller), size, place);
-    place[0] += NUDGE * right;
-    place[1] += NUDGE * down;
-    commit(layer, view_of(controller), place, "nudge instrument");
+    const TinkerGraphBox box = wanted_box(layer, view_of(controller)); /* also where it is not, to pass others */
+    commit(layer, view_of(controller), box.x + NUDGE * right, box.y + NUDGE * down, "nudge instrument");
     return GDK_EVENT_STOP;
 }
 
@@ -253,7 +292,7 @@ static void on_changed(TinkerInstrumentLayer *layer)
         gtk_widget_unparent(g_ptr_array_index(old, i));
     }
     gtk_widget_set_visible(GTK_WIDGET(layer), layer->views->len > 0);
-    gtk_widget_queue_allocate(GTK_WIDGET(layer));
+    look_about(layer);
 }
 
 /* The widget ----------------------------------------------------------------------------------------------------------
@@ -264,6 +303,9 @@ static void tinker_instrument_layer_dispose(GObject *object)
     TinkerInstrumentLayer *layer = TINKER_INSTRUMENT_LAYER(object);
     tinker_unparent_children(GTK_WIDGET(object));
     g_clear_pointer(&layer->views, g_ptr_array_unref);
+    g_clear_pointer(&layer->boxes, g_array_unref);
+    g_clear_pointer(&layer->graph_boxes, g_array_unref);
+    g_clear_pointer(&layer->block_boxes, g_array_unref);
     g_clear_pointer(&layer->hand, tinker_hand_free);
     g_clear_object(&layer->canvas);
     g_clear_object(&layer->graphs);
@@ -284,6 +326,9 @@ static void tinker_instrument_layer_class_init(TinkerInstrumentLayerClass *class
 static void tinker_instrument_layer_init(TinkerInstrumentLayer *layer)
 {
     layer->views = g_ptr_array_new();
+    layer->boxes = g_array_new(FALSE, FALSE, sizeof(TinkerGraphBox));
+    layer->graph_boxes = g_array_new(FALSE, FALSE, sizeof(TinkerGraphBox));
+    layer->block_boxes = g_array_new(FALSE, FALSE, sizeof(TinkerGraphBox));
     gtk_widget_set_overflow(GTK_WIDGET(layer), GTK_OVERFLOW_HIDDEN);
 }
 
@@ -296,7 +341,7 @@ GtkWidget *tinker_instrument_layer_new(TinkerCanvas *canvas, TinkerGraphLayer *g
     layer->document = g_object_ref(document);
     layer->player = g_object_ref(player);
     layer->hand = tinker_hand_new(document, player);
-    g_signal_connect_object(canvas, "view-changed", G_CALLBACK(gtk_widget_queue_allocate), layer, G_CONNECT_SWAPPED);
+    g_signal_connect_object(canvas, "view-changed", G_CALLBACK(look_about), layer, G_CONNECT_SWAPPED);
     g_signal_connect_object(document, "changed", G_CALLBACK(on_changed), layer, G_CONNECT_SWAPPED);
     on_changed(layer);
     return GTK_WIDGET(layer);

@@ -177,22 +177,44 @@ static gboolean on_key(GtkEventControllerKey *controller, guint key, guint code,
 /* Drawing -------------------------------------------------------------------------------------------------------------
  */
 
-static void draw_text(TinkerMeasureLayer *layer, cairo_t *cairo, const char *text, const double at[2],
+/* A text on a ground of its own about a place, all of it on the canvas. */
+static void draw_text(TinkerMeasureLayer *layer, cairo_t *cairo, PangoLayout *layout, const double at[2],
                       const TinkerTheme *theme)
 {
-    g_autoptr(PangoLayout) layout = gtk_widget_create_pango_layout(GTK_WIDGET(layer), text);
     const double *ground = theme->background, *colour = theme->colours[TINKER_COLOUR_TEXT];
     int width, height;
     pango_layout_get_pixel_size(layout, &width, &height);
-    const double left =
-        CLAMP(at[0] - width / 2.0, INNER, fmax(gtk_widget_get_width(GTK_WIDGET(layer)) - width - INNER, INNER));
-    const double top = fmax(at[1] - height - 3 * INNER, INNER);
+    const double most_left = gtk_widget_get_width(GTK_WIDGET(layer)) - width - INNER;
+    const double left = CLAMP(at[0] - width / 2.0, INNER, fmax(most_left, INNER));
+    const double top = fmax(at[1] - height / 2.0, INNER);
     cairo_rectangle(cairo, left - INNER, top - INNER / 2, width + 2 * INNER, height + INNER);
     cairo_set_source_rgba(cairo, ground[0], ground[1], ground[2], 0.9);
     cairo_fill(cairo);
     cairo_set_source_rgb(cairo, colour[0], colour[1], colour[2]);
     cairo_move_to(cairo, left, top);
     pango_cairo_show_layout(cairo, layout);
+}
+
+/* The middle of the text: of a distance that of its line, as on a drawing, or above a line that it would cover; of an
+ * angle beyond the arc, between the legs. */
+static void place_text(const TinkerMeasuring *measuring, double at[3][2], PangoLayout *layout, double middle[2])
+{
+    const double dx = at[1][0] - at[0][0], dy = at[1][1] - at[0][1];
+    int width, height;
+    pango_layout_get_pixel_size(layout, &width, &height);
+    middle[0] = at[0][0] + dx / 2;
+    middle[1] = at[0][1] + dy / 2;
+    if (measuring->kind == TINKER_RULER) {
+        const gboolean fits = fabs(dx) > width + 6 * INNER || fabs(dy) > height + 6 * INNER;
+        if (!fits) middle[1] = fmin(at[0][1], at[1][1]) - height / 2.0 - 3 * INNER;
+        return;
+    }
+    const double from = atan2(dy, dx);
+    const double turn = remainder(atan2(at[2][1] - at[0][1], at[2][0] - at[0][0]) - from, 2 * G_PI);
+    const double along[2] = {cos(from + turn / 2), sin(from + turn / 2)};
+    const double off = ARC + INNER + hypot(width, height) / 2;
+    for (int k = 0; k < 2; k++)
+        middle[k] = at[0][k] + off * along[k];
 }
 
 /* From the first leg to the second, the shorter way. */
@@ -232,9 +254,12 @@ static void draw(TinkerMeasureLayer *layer, cairo_t *cairo)
         cairo_arc(cairo, at[i][0], at[i][1], RADIUS, 0, 2 * G_PI);
         cairo_fill(cairo);
     }
-    g_autofree char *text = tinker_measuring_text(&measuring, frame);
-    const double middle[2] = {(at[0][0] + at[1][0]) / 2, fmin(at[0][1], at[1][1])};
-    if (text != NULL) draw_text(layer, cairo, text, middle, theme);
+    g_autofree char *text = tinker_measuring_text(&measuring, frame, FALSE);
+    if (text == NULL) return;
+    g_autoptr(PangoLayout) layout = gtk_widget_create_pango_layout(GTK_WIDGET(layer), text);
+    double middle[2];
+    place_text(&measuring, at, layout, middle);
+    draw_text(layer, cairo, layout, middle, theme);
 }
 
 static void tinker_measure_layer_snapshot(GtkWidget *widget, GtkSnapshot *snapshot)

@@ -74,25 +74,26 @@ static char *angle_text(double angle)
     return g_strdup_printf("%.2f°", angle * 180 / G_PI);
 }
 
-static char *distance_text(const double a[2], const double b[2], TinkerUnitSystem system)
+static char *distance_text(const double a[2], const double b[2], TinkerUnitSystem system, gboolean in_full)
 {
     static const TinkerDimension length = TINKER_DIMENSION_LENGTH;
     const double dx = b[0] - a[0], dy = b[1] - a[1];
     g_autofree char *whole = tinker_quantity_format(hypot(dx, dy), length, NULL, system, 3);
+    if (!in_full) return g_steal_pointer(&whole);
     g_autofree char *across = tinker_quantity_format(dx, length, NULL, system, 3);
     g_autofree char *up = tinker_quantity_format(dy, length, NULL, system, 3);
     g_autofree char *angle = angle_text(dx == 0 && dy == 0 ? 0 : atan2(dy, dx));
     return g_strdup_printf("%s, Δx = %s, Δy = %s, %s", whole, across, up, angle);
 }
 
-char *tinker_measuring_text(const TinkerMeasuring *measuring, const TinkerFrame *frame)
+char *tinker_measuring_text(const TinkerMeasuring *measuring, const TinkerFrame *frame, gboolean in_full)
 {
     double at[3][2];
     if (measuring->count < tinker_measuring_whole(measuring->kind)) return NULL;
     for (int i = 0; i < measuring->count; i++)
         tinker_frame_end(frame, measuring->ends[i], at[i]);
     if (measuring->kind == TINKER_RULER)
-        return distance_text(at[0], at[1], tinker_scene_head(tinker_frame_scene(frame))->units);
+        return distance_text(at[0], at[1], tinker_scene_head(tinker_frame_scene(frame))->units, in_full);
     const double a[2] = {at[1][0] - at[0][0], at[1][1] - at[0][1]}, b[2] = {at[2][0] - at[0][0], at[2][1] - at[0][1]};
     return angle_text(atan2(a[0] * b[1] - a[1] * b[0], a[0] * b[0] + a[1] * b[1]));
 }

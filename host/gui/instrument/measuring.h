@@ -25,10 +25,9 @@ GArray *tinker_measuring_points(TinkerScene *scene);
 /* The nearest of them within `reach` (m), else the place on the grid (m; 0: as it is). */
 TinkerSceneEnd tinker_measuring_snap(const TinkerFrame *frame, double x, double y, double reach, double grid);
 
-/* "2.500 m, Δx = 2.000 m, Δy = 1.500 m, 36.87°", "36.87°" in the frame; NULL as long as it is not whole. (transfer
- * full)
- */
-char *tinker_measuring_text(const TinkerMeasuring *measuring, const TinkerFrame *frame);
+/* "2.500 m, Δx = 2.000 m, Δy = 1.500 m, 36.87°", not in full "2.500 m"; "36.87°" in the frame; NULL as long as it is
+ * not whole. (transfer full) */
+char *tinker_measuring_text(const TinkerMeasuring *measuring, const TinkerFrame *frame, gboolean in_full);
 
 /* Makes a block of it, which is selected: one step for undo. FALSE where an end is on no block, or the error says why.
  */

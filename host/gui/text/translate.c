@@ -17,3 +17,8 @@ const char *tinker_translate(const char *text)
     g_autofree char *title = g_strdup_printf(_("Distance to %s"), text + strlen(distance));
     return g_intern_string(title);
 }
+
+const char *tinker_translate_title(const char *title)
+{
+    return title == NULL ? NULL : g_dpgettext2(GETTEXT_PACKAGE, "Title of an example", title);
+}

@@ -33,7 +33,7 @@ static void on_measured(Tool *tool)
     const TinkerMeasuring measuring = tinker_measure_layer_measuring(tool->layer);
     TinkerFrame *frame = tinker_player_frame(tool->window->player);
     const gboolean ruler = measuring.kind == TINKER_RULER;
-    g_autofree char *text = frame != NULL ? tinker_measuring_text(&measuring, frame) : NULL;
+    g_autofree char *text = frame != NULL ? tinker_measuring_text(&measuring, frame, TRUE) : NULL;
     const char *hint = ruler ? _("Drag from one place to another; they snap to bodies and their points")
                              : _("Drag from the corner along one leg, then click a place on the other");
     const char *shown = text != NULL ? text : hint;

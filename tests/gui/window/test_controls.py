@@ -59,6 +59,29 @@ def test_neither_covers_the_other_whatever_it_becomes(display):
               f"{meter} is beside {control}")
 
 
+def test_none_covers_another_or_a_body_in_a_small_window(display):
+    """Five that stand apart on a large canvas would cover each other on that of the least window there may be."""
+    controls = [{"block": "Bob", "property": "mass", "from": 0.5, "to": 2, "kind": "knob", "place": [0.2, 3.6]},
+                {**STIFFNESS, "place": [2.2, 1.4]}]
+    meters = [{"block": "Bob", "quantity": "speed", "kind": "dial", "place": [-4.9, 1.8]},
+              {**HEIGHT, "place": [-4.9, 0.2]}, {"block": "Coil", "quantity": "tension", "kind": "number", "place": [0.6, -0.4]}]
+    with App(display, oscillator(controls=controls, meters=meters)) as app:
+        widest = max(app.windows(), key=lambda window: window[1][2])
+        app.xdotool("windowsize", widest[0], 800, 500)
+        wait(lambda: app.canvas_box()[2] < 450, "the canvas to be small")
+        app.find(None, "Control of Bob: Mass")
+        names = [re.compile(f"^{kind} of ") for kind in ("Control", "Meter")]
+        nodes = [node for node in app.tree.refresh() if node.is_shown() and any(name.match(node.name) for name in names)]
+        share = app.canvas_box()[2] / 560  # they are drawn that much smaller, of which the tree knows the corner alone
+        boxes = [(x, y, share * width, share * height) for x, y, width, height in map(app.settled, nodes)]
+        left, top, right, bottom = app.area(-0.4, 0.6, 0.4, 1.4)  # Bob
+        boxes.append((left, top, right - left, bottom - top))
+        check_equal(len(boxes), 6, "instruments, and Bob")
+        for i, a in enumerate(boxes):
+            for b in boxes[:i]:
+                check(any(p[k] + p[k + 2] <= q[k] + 1 for k in (0, 1) for p, q in ((a, b), (b, a))), f"{a} covers {b}")
+
+
 def test_added_by_the_property(display):
     with App(display, oscillator()) as app:
         app.show_width()

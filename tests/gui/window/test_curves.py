@@ -105,9 +105,32 @@ def test_table(display):
         app.focus_window()
         app.click("Add Table…", inside=dialog)
         app.open_dialog("Choose a Table", app.home / "measured.csv")
-        app.find("button", "Remove measured.csv, 1", inside=dialog)
+        app.find("button", "Remove measured.csv: y", inside=dialog)
         close_dialog(app)
         check_equal([curve.get("table") for curve in curves(app)], [None, "measured.csv"], "tables in the file")
+
+
+def test_columns_of_a_table(display):
+    """By their headings, and by keys alone; none over itself."""
+    with App(display, falling()) as app:
+        (app.home / "track.csv").write_text("frame,t,x,\"y [m]\"\n1,0,7,1\n2,0.1,8,2\n")
+        dialog = open_dialog(app)
+        app.click("Add Table…", inside=dialog)
+        app.open_dialog("Choose a Table", app.home / "track.csv")
+        asked = app.find(None, "Columns of the Table")
+
+        def can_be_added():
+            return app.look("button", "Add", inside=asked).has("sensitive")
+
+        app.press("shift+Tab", "space", "Down", "Return")  # from the values to the times, and there to "t"
+        wait(lambda: not can_be_added(), "no column to be over itself")
+        app.press("Tab", "space", "End", "Return")
+        wait(can_be_added, "two columns")
+        app.press("alt+a")
+        app.find("button", "Remove track.csv: y [m]", inside=dialog)
+        close_dialog(app)
+        added = curves(app)[1]
+        check_equal((added["table"], added["time_column"], added["column"]), ("track.csv", 1, 3), "columns in the file")
 
 
 def test_expression(display):

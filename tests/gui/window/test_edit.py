@@ -324,6 +324,19 @@ def test_menu_of_the_canvas(display):
         app.press("Escape")
 
 
+def test_note_is_moved_and_comes_back(display):
+    note = {"type": "note", "name": "Note 0", "position": [2, 2], "text": "MMMM"}
+    with App(display, scene(mass("A", -3, -2), note)) as app:
+        app.show_width()
+        app.drag((2, 2), (-1, 1))
+        check_equal(app.saved()["blocks"][1]["position"], [-1, 1], "its place in the file")
+    with App(display, app.file) as app:
+        app.show_width()
+        seen = app.still_picture(-2, 0.7, 0, 1.3), app.still_picture(1, 1.7, 3, 2.3)
+        dark = [sum(1 for at in range(0, len(cut), 4) if max(cut[at:at + 3]) < 100) for cut in seen]
+        check(dark[0] > 20 and dark[1] == 0, f"{dark} pixels of its text where it was put, and where it was")
+
+
 def test_local_origin_is_dragged_without_the_body(display):
     with App(display, scene(mass("A", 0, 0, local_origin=[1, 1]), mass("B", 2, 0))) as app:
         app.click_world(0, 0.2)
@@ -377,6 +390,25 @@ def test_support_is_turned_by_its_handle(display):
         handle = wait(lambda: app.middle_of_colour(colours.SELECTED, (-0.2, 0.3), (0.2, 1)), "the handle")
         app.drag(handle, (-1, 1))
         check_close(app.blocks()["Plate"]["orientation"], 0.785398163, 0.02, "orientation (rad)")
+
+
+def test_width_of_a_bar_is_dragged(display):
+    """On the grid, with Alt freely; the length stays, and the middle still drags the whole."""
+    bar = {"type": "bar", "name": "Bar", "position": [0, 0], "mass": 1, "length": 4, "width": 0.2}
+    with App(display, scene(bar)) as app:
+        app.show_width()
+        app.click_world(-0.8, 0)
+        app.drag((1, 0.1), (1, 0.39))
+        check_equal([app.saved()["blocks"][0][key] for key in ("length", "width")], [4, 0.8], "length and width, on the grid")
+        app.drag((1, 0.4), (1, 0.25), keys=("alt",))
+        width = app.saved()["blocks"][0]["width"]
+        check_close(width, 0.5, 2.5 / app.scale(), "width, freely")
+        app.click("Undo")
+        app.click("Undo")
+        check_equal(app.saved()["blocks"][0]["width"], 0.2, "width after undo")
+        app.drag((0, 0), (0.4, 0.6))
+        moved = app.saved()["blocks"][0]
+        check_equal(([round(at, 9) for at in moved["position"]], moved["width"]), ([0.4, 0.6], 0.2), "the whole, by its middle")
 
 
 def test_corners_of_a_plate(display):

@@ -3,7 +3,7 @@
 gravity of 9.81 m/s²: it is highest at 1 s, at 4.905 m, and back at 0 after 2 s."""
 import re
 
-from harness import App, check, check_close, check_equal, main, mass, scene, wait
+from harness import App, check, check_close, check_equal, colours, main, mass, scene, wait
 
 GRAVITY = {"type": "gravity", "name": "Gravity"}
 HEIGHT = {"block": "Ball", "quantity": "y"}
@@ -170,6 +170,33 @@ def test_cursor_takes_what_is_pointed_at(display):
         summit = x + (1 - time) * 0.5 * (right - left) / (time - start)
         found = [cursor(summit + aside, top + down) for aside in (-9, 9) for down in (-2, 5, 12)]
         check(found.count((1, 4.905)) >= 2, f"{found}: the top where it is pointed at, a little beside it")
+
+
+def test_cursor_is_what_the_pointer_reads(display):
+    """Beside a steep part of the curve: where the pointer reads it, and not above or below the pointer."""
+    with App(display, thrown(HEIGHT)) as app:
+        run(app)
+        node = graph(app)
+        left, top, right, bottom = box = plot_box(app, node)
+        curve = wait(lambda: colours.places(app.picture(), box, colours.CURVE, least=0.95, most=1.05), "the curve")
+        highest, lowest = min(y for _, y in curve), max(y for _, y in curve)
+        middle = (left + right) / 2  # 1.25 s: on from there it falls
+        flank = min((place for place in curve if place[0] > middle),
+                    key=lambda place: abs(place[1] - (highest + 0.5 * (lowest - highest))))
+
+        def cursor(x, y):
+            app._click_at(x, y, keys=("ctrl",))
+            found = wait(lambda: re.search(r"A: t = (\S+) s, y = (\S+) m", node.refreshed().description), "a cursor")
+            app.press("shift+c")
+            wait(lambda: "A: " not in node.refreshed().description, "it to go")
+            return tuple(float(number.replace("−", "-")) for number in found.groups())
+
+        beside = flank[0] - 14
+        above, later = cursor(beside, bottom - 4)[0], cursor(beside + 40, top + 4)[0]  # far from the curve
+        time, height = cursor(beside, flank[1])
+        check_close(height, 9.81 * time - 9.81 / 2 * time ** 2, 1e-3, "the curve (m)")
+        pixels = 40 * (time - above) / (later - above)
+        check(2 < pixels < 14, f"{pixels} pixels to the right of the pointer, as far as the curve is 14 to its right")
 
 
 def test_statistics(display):

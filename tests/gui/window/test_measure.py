@@ -2,7 +2,7 @@
 """Ruler and protractor on the canvas: a triangle of 3, 4 and 5 m, whose angles are known."""
 import os
 
-from harness import App, check, check_equal, main, mass, scene, support, wait
+from harness import App, check, check_equal, colours, main, mass, scene, support, wait
 
 
 def triangle():
@@ -24,8 +24,15 @@ def test_ruler_snaps_and_is_kept(display):
     with App(display, triangle()) as app:
         app.show_width()
         app.press("ctrl+r")
+        app.find(None, "Ruler")
+        name = -1.8, 2.15, -1.2, 2.9  # of C, above it
+        plain = app.still_picture(*name)
         app.drag((1.45, -2.03), (-1.46, 2.04))  # nearly from B to C
+        app.xdotool("mousemove", *app.at(0.8, 1))
         reads(app, "5.000 m, Δx = -3.000 m, Δy = 4.000 m, 126.87°")
+        wait(lambda: app.picture().cut(app.area(*name)) == plain, "the name of C, which nothing covers")
+        line = app.area(-0.05, -0.05, 0.05, 0.05)  # its middle, where the distance stands
+        check(colours.SELECTED not in set(app.picture().pixels(line)), "the distance is on the middle of the line")
         keep(app, "ruler")
         check_equal([block["type"] for block in app.saved()["blocks"]], ["mass", "mass", "support"], "blocks before")
         app.click("Keep as Dimension")
