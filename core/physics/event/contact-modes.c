@@ -29,17 +29,6 @@ static gboolean has_stopped(const TinkerContactChange *change, const TinkerTouch
     return at->slows || tinker_change_is_trigger(change, at);
 }
 
-gboolean tinker_change_hardly_slides(const TinkerContactChange *change, const TinkerTouch *at)
-{
-    if (tinker_change_repeats(change)) return FALSE;
-    if (!tinker_contacts_is_gap(change->contacts, &at->contact)) return FALSE;
-    const double least = fmax(TINKER_SLOW_SLIDE * change->speed, change->least_rise);
-    if (fabs(at->place.tangential_speed) > least) return FALSE;
-    for (guint i = 0; i < change->touches->len; i++)
-        if (tinker_touch(change, i)->struck) return TRUE;
-    return FALSE;
-}
-
 /* The way it would slip that has reached the limit of sticking: with the event, or before it while others held. 0: it
  * has not. */
 static int8_t limit_of(const TinkerContactChange *change, const TinkerTouch *at)

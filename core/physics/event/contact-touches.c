@@ -79,6 +79,17 @@ TinkerStatus tinker_change_set_state(const TinkerContactChange *change)
     return change->model->constraints.rows > 0 ? tinker_constraints_evaluate(change->model) : TINKER_OK;
 }
 
+gboolean tinker_change_hardly_slides(const TinkerContactChange *change, const TinkerTouch *at)
+{
+    if (tinker_change_repeats(change)) return FALSE;
+    if (!tinker_contacts_is_gap(change->contacts, &at->contact)) return FALSE;
+    const double least = fmax(TINKER_SLOW_SLIDE * change->speed, change->least_rise);
+    if (fabs(at->place.tangential_speed) > least) return FALSE;
+    for (guint i = 0; i < change->touches->len; i++)
+        if (tinker_touch(change, i)->struck) return TRUE;
+    return FALSE;
+}
+
 gboolean tinker_change_is_trigger(const TinkerContactChange *change, const TinkerTouch *of)
 {
     const TinkerTrigger *trigger = &change->trigger;
