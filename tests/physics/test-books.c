@@ -160,6 +160,28 @@ static void test_merged_lines(void)
     assert_books(run, (double[TINKER_BOOK_COUNT]){0}, 0);
 }
 
+/* A mass that two rods hold, and a damper from it to a support that is shaken along it: nothing moves that would tell
+ * of the damper, which takes c A^2 w^2 cos^2(w t) all the same. */
+static void test_held(void)
+{
+    static const char *const methods[] = {"dopri5", "dop853", "rk4"};
+    const double c = 2, speed = 0.2 * 20, t = 5;
+    const double taken = -c * speed * speed * (t / 2 + sin(2 * 20 * t) / (4 * 20));
+    for (gsize i = 0; i < G_N_ELEMENTS(methods); i++) {
+        g_autoptr(PhysicsRun) run =
+            physics_run(&(PhysicsOptions){.duration = t, .tolerance = 1e-9, .method = methods[i]},
+                        "{'type': 'support', 'position': [0, 1]}, {'type': 'support', 'position': [1, 1]},"
+                        "{'type': 'support', 'position': [2, 0]}, {'type': 'mass', 'position': [0, 0]},"
+                        "{'type': 'support-motion', 'ends': ['Support 2'], 'amplitude': 0.2, 'frequency': 20},"
+                        "{'type': 'rod', 'ends': ['Support 0', 'Mass 0']}, "
+                        "{'type': 'rod', 'ends': ['Support 1', 'Mass 0']},"
+                        "{'type': 'damper', 'ends': ['Mass 0', 'Support 2'], 'damping': 2}");
+        assert_books(run,
+                     (double[TINKER_BOOK_COUNT]){[TINKER_BOOK_DAMPERS] = taken, [TINKER_BOOK_SUPPORT_MOTION] = -taken},
+                     1e-4);
+    }
+}
+
 static void add_tests(void)
 {
     g_test_add_func("/physics/books/damper-takes-all", test_damper_takes_all);
@@ -168,6 +190,7 @@ static void add_tests(void)
     g_test_add_func("/physics/books/fall-through-air", test_fall_through_air);
     g_test_add_func("/physics/books/potential-far-away", test_potential_far_away);
     g_test_add_func("/physics/books/support-motion", test_support_motion);
+    g_test_add_func("/physics/books/held", test_held);
     g_test_add_func("/physics/books/support-jump", test_support_jump);
     g_test_add_func("/physics/books/lifted-rod", test_lifted_rod);
     g_test_add_func("/physics/books/projection", test_projection);

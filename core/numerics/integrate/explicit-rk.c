@@ -12,6 +12,7 @@
 #include <glib.h>
 #include <glib/gi18n-lib.h>
 
+#include "numerics/integrate/books-error.h"
 #include "numerics/integrate/stepping.h"
 #include "numerics/integrate/tolerances.h"
 
@@ -36,6 +37,7 @@ typedef struct Stepper {
     const TinkerTableau *tableau;
     TinkerStepControl control;
     double first_step;
+    double energy; /* J: the largest so far, of the motion or in a book */
     Row rows[TINKER_RK_STAGES_CAP];
     Row error, second_error;
     double *q0, *v0, *books0; /* the start of the last step */
@@ -215,6 +217,17 @@ static double find_error(Stepper *stepper, double h)
     return fmax(along, fmin(TINKER_SQUARE_SHARE * stepper->control.tolerance * error * error, TINKER_MISPLACED));
 }
 
+/* Where nothing moves by more than places may be off by, the error of the motion tells nothing of the books, and they
+ * count themselves. */
+static double find_error_of_books(Stepper *stepper, double h, double error)
+{
+    if (!(error <= 1.0) || stepper->system->books == 0) return error;
+    const TinkerBooksTrial trial = {stepper->tableau,          stepper->power, h, stepper->v0, stepper->q, stepper->v,
+                                    stepper->control.tolerance};
+    if (!tinker_books_trial_stands(stepper->system, &trial)) return error;
+    return fmax(error, tinker_books_error(stepper->system, &trial, &stepper->energy));
+}
+
 /* Stages 1 to the end; *error is not finite where the system asked for a smaller step. */
 static TinkerStatus try_step(Stepper *stepper, double h, double *error)
 {
@@ -225,7 +238,7 @@ static TinkerStatus try_step(Stepper *stepper, double h, double *error)
         if (status != TINKER_OK) return status;
     }
     if (last < tableau->stages) place_stage(stepper, tableau->stages, h);
-    *error = find_error(stepper, h);
+    *error = find_error_of_books(stepper, h, find_error(stepper, h));
     return TINKER_OK;
 }
 
@@ -250,6 +263,7 @@ static TinkerStatus begin(Stepper *stepper, const TinkerState *state, double lim
     tinker_copy(system->size, state->q, stepper->q0);
     tinker_copy(system->size, state->v, stepper->v0);
     tinker_copy(system->books, state->books, stepper->books0);
+    stepper->energy = tinker_books_energy(system, stepper->v0, stepper->books0, stepper->energy);
     stepper->t0 = state->t;
     if (status != TINKER_OK || stepper->control.h > 0.0) return status;
     stepper->control.h = stepper->first_step;
