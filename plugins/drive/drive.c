@@ -1,6 +1,6 @@
 /* Drive: prescribes how what its first end is on turns against what the second is on,
  *
- *     g = (theta_1 - theta_2) - (theta_1 - theta_2 as placed) - speed t - (w(t) - w(0)),   drift = -w''.
+ *     g = (theta_1 - theta_2) - (theta_1 - theta_2 as placed) - speed t - (u(t) - u(0)),   drift = -u''.
  *
  * g is in rad and its multiplier a torque. What it gives is booked as given by motors. */
 #include <tinker/sdk.h>
@@ -141,7 +141,7 @@ static const TinkerInterface interfaces[] = {
 
 static const TinkerBlockType blocks[] = {
     {TINKER_BLOCK("drive", "Drive", TINKER_JOINT), .summary = "Prescribes how a body turns against another",
-     .formula = "θ1 - θ2 = start + n t + w(t) - w(0)", .least_ends = 2, .most_ends = 2,
+     .formula = "θ1 - θ2 = start + n t + u(t) - u(0)", .least_ends = 2, .most_ends = 2,
      .end_accepts = TINKER_ACCEPTS_BODY | TINKER_ACCEPTS_SUPPORT, .properties = TINKER_SPAN(properties),
      .quantities = TINKER_SPAN(quantities), .interfaces = TINKER_SPAN(interfaces), .law = TINKER_SPAN(law)},
 };

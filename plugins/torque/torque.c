@@ -128,7 +128,7 @@ static const TinkerInterface interfaces[] = {
 
 static const TinkerBlockType blocks[] = {
     {TINKER_BLOCK("torque", "Torque", TINKER_FORCE), .summary = "Turns a body by a torque that varies with time",
-     .formula = "M = w(t), w = A cos(ω t + φ)", .least_ends = 1, .most_ends = 2,
+     .formula = "M = A cos(ω t + φ)", .least_ends = 1, .most_ends = 2,
      .end_accepts = TINKER_ACCEPTS_BODY | TINKER_ACCEPTS_SUPPORT, .properties = TINKER_SPAN(properties),
      .quantities = TINKER_SPAN(quantities), .interfaces = TINKER_SPAN(interfaces), .law = TINKER_SPAN(law)},
 };

@@ -365,7 +365,7 @@ static void test_drive(CliFixture *fixture, gconstpointer data)
     assert_all_written(root);
     assert_near(symbol_of(root, "λ_2"), -0.5 * 0.3 * 25, 1e-12);
     cJSON_Delete(root);
-    static const char *const lines[] = {"− n t − (w − w0)   Drive", "w0 = A ", NULL};
+    static const char *const lines[] = {"− n t − (u − u0)   Drive", "u0 = A ", NULL};
     assert_page_holds(fixture, "equations @scene.json", lines);
 }
 

@@ -135,7 +135,7 @@ static void test_rack(void)
     physics_assert_near("torque", physics_last(run, 2), -INERTIA * a / 0.5, 1e-8);
 }
 
-/* theta = start + n t + w(t) - w(0); the torque is I theta'' + m g (L / 2) cos theta, and its work what motors gave. */
+/* theta = start + n t + u(t) - u(0); the torque is I theta'' + m g (L / 2) cos theta, and its work what motors gave. */
 static void test_drive(void)
 {
     g_autoptr(PhysicsRun) run = physics_run(

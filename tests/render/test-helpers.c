@@ -305,7 +305,7 @@ static void test_texts_keep_apart(void)
     Sheet sheet;
     sheet_begin(&sheet, 0);
     g_autoptr(GPtrArray) texts = sheet.brush.pen.written = tinker_written_texts_new();
-    double middle[G_N_ELEMENTS(written)][2], half[2] = {0};
+    double middle[G_N_ELEMENTS(written)][2], half = 0;
     for (gsize i = 0; i < G_N_ELEMENTS(written); i++) {
         cairo_save(sheet.cairo);
         sheet.style->text(sheet.style, sheet.cairo, TINKER_COLOUR_TEXT, written[i].x, written[i].y, written[i].text);
@@ -313,11 +313,11 @@ static void test_texts_keep_apart(void)
         const double *box = ((const TinkerWrittenText *)texts->pdata[i])->box;
         for (int k = 0; k < 2; k++)
             middle[i][k] = (k == 0 ? SCALE * written[i].x : -SCALE * written[i].y) + (box[k] + box[2 + k]) / 2;
-        half[1] = (box[3] - box[1]) / 2;
+        half = (box[3] - box[1]) / 2;
     }
     g_assert_cmpfloat_with_epsilon(middle[0][1], 0, 1e-9);
-    g_assert_cmpfloat(fabs(middle[1][1] - middle[0][1]), >=, 2 * half[1] - 1);
-    g_assert_cmpfloat(fabs(middle[1][1] - middle[0][1]), <, 4 * half[1]);
+    g_assert_cmpfloat(fabs(middle[1][1] - middle[0][1]), >=, 2 * half - 1);
+    g_assert_cmpfloat(fabs(middle[1][1] - middle[0][1]), <, 4 * half);
     g_assert_cmpfloat_with_epsilon(middle[2][1], middle[1][1], 1e-9);
     g_assert_cmpfloat_with_epsilon(middle[3][1], SCALE, 1e-9);
     sheet_end(&sheet);

@@ -30,7 +30,8 @@ static void test_columns(void)
         const char *text, *names; /* with a bar behind each */
     } cases[] = {{"# made by hand\nframe,t, \"y [m]\"\n1,0.5,7\n2,1.5,8\n", "frame|t|y [m]|"},
                  {"run,0.5,7\n2,1.5,8\n", "|||"},
-                 {"1;2\n", "||"}};
+                 {"1;2\n", "||"},
+                 {"\316\270,\317\204,x\n2,1.5,8\n", "\316\270|\317\204|x|"}};
     for (gsize i = 0; i < G_N_ELEMENTS(cases); i++) {
         g_autoptr(GError) error = NULL;
         g_autofree char *folder = g_dir_make_tmp("tinker-table-XXXXXX", NULL);
@@ -47,6 +48,11 @@ static void test_columns(void)
             const double expected[] = {0.5, 1, 1.5, 2};
             g_assert_true(tinker_table_read_column(path, 1, 0, rows, &error));
             g_assert_cmpmem(rows->data, rows->len * sizeof(double), expected, sizeof expected);
+        }
+        if (i == 3) { /* a heading, whatever its letters */
+            g_autoptr(GArray) rows = g_array_new(FALSE, FALSE, sizeof(double));
+            g_assert_true(tinker_table_read_column(path, 1, 2, rows, &error));
+            g_assert_cmpuint(rows->len, ==, 2);
         }
         g_unlink(path);
         g_rmdir(folder);

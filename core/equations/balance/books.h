@@ -38,7 +38,7 @@ typedef struct {
     double from, to;
     double about[2];
     GArray *entries;       /* of TinkerBookEntry, in the order of the scene */
-    GArray *impacts;       /* of TinkerBookImpact, by time; they are in the entries as well */
+    GArray *impacts;       /* of TinkerBookImpact, by time; in the entries as well, but those by nobody known */
     double rate[2];        /* N: of momentum at the end, m a by the record */
     double kinetic[2];     /* J: at the start, at the end */
     double momentum[2][2]; /* kg m/s: at the start, at the end */

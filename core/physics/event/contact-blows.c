@@ -117,8 +117,8 @@ static gboolean rests(const TinkerContactChange *change, guint number)
 static gboolean creeps(const TinkerContactChange *change, guint number)
 {
     const TinkerTouch *at = tinker_touch(change, number);
-    const gboolean seen = fabs(at->place.tangential_speed) > TINKER_STILL * change->speed;
-    return at->row < 0 && seen && rests(change, number) && tinker_touch_surface(change, number).static_friction > 0 &&
+    const gboolean moves = fabs(at->place.tangential_speed) > TINKER_STILL * change->speed;
+    return at->row < 0 && moves && rests(change, number) && tinker_touch_surface(change, number).static_friction > 0 &&
            tinker_change_hardly_slides(change, at);
 }
 

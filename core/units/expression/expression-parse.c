@@ -359,8 +359,8 @@ static gboolean check_text(Parser *parser)
 {
     const char *end;
     if (strlen(parser->text) > LONGEST_TEXT) {
-        g_set_error(parser->error, TINKER_WAVEFORM_ERROR, TINKER_WAVEFORM_ERROR_SYNTAX,
-                    _("column 1: the expression is longer than %d bytes"), LONGEST_TEXT);
+        fail(parser, TINKER_WAVEFORM_ERROR_SYNTAX, parser->text, _("the expression is longer than %d bytes"),
+             LONGEST_TEXT);
         return FALSE;
     }
     if (g_utf8_validate(parser->text, -1, &end)) return TRUE;

@@ -261,8 +261,8 @@ static gboolean check_text(const char *text, GError **error)
 {
     const char *end;
     if (g_utf8_validate(text, -1, &end)) return TRUE;
-    g_set_error(error, TINKER_UNITS_ERROR, TINKER_UNITS_ERROR_SYNTAX, _("column %ld: the text is not UTF-8 here"),
-                g_utf8_pointer_to_offset(text, end) + 1);
+    g_set_error(error, TINKER_UNITS_ERROR, TINKER_UNITS_ERROR_SYNTAX, "column %ld: %s",
+                g_utf8_pointer_to_offset(text, end) + 1, _("the text is not UTF-8 here"));
     return FALSE;
 }
 

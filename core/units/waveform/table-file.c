@@ -151,7 +151,8 @@ static gboolean is_header(const char *line, int time_column)
 {
     double number;
     const Field field = find_field(line, time_column);
-    return !field_number(field, &number) && (g_ascii_isalpha(*field.start) || *field.start == '"');
+    const gunichar first = g_utf8_get_char_validated(field.start, (gssize)field.length);
+    return !field_number(field, &number) && (first == '"' || first == '(' || g_unichar_isalpha(first));
 }
 
 /* Reads the next line that holds something. FALSE at the end of the file, or where the error says what is wrong. */

@@ -93,7 +93,7 @@ static void write_momentum(const TinkerBooks *books, TinkerScene *scene, FILE *f
 
 static void write_impacts(const TinkerBooks *books, TinkerScene *scene, FILE *file)
 {
-    if (books->impacts->len > 0) heading(file, "Impacts, which are in the sums above");
+    if (books->impacts->len > 0) heading(file, "Impacts");
     for (guint i = 0; i < books->impacts->len; i++) {
         const TinkerBookImpact *impact = &g_array_index(books->impacts, TinkerBookImpact, i);
         tinker_print_line(file, "  t = %.6g s: %s on %s gave (%.6g, %.6g) N s and %.6g J%s", impact->time,

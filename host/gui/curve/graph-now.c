@@ -4,7 +4,7 @@
 #include "gui/curve/graph-data-private.h"
 #include "gui/curve/graph-reading.h"
 
-/* Straight between two samples, as bodies on the canvas are; but at a maximum or minimum that was gone to what is read
+/* Straight between two samples, as bodies on the canvas are; but at a maximum or minimum that was gone to, what is read
  * there, which the straight line would cut off. */
 gboolean tinker_graph_data_now(const TinkerGraphData *data, guint curve, double now[2])
 {

@@ -29,7 +29,8 @@ struct _TinkerInstrumentLayer {
     TinkerHand *hand;
     GPtrArray *views;                  /* of TinkerInstrumentView, which are children: borrowed */
     GArray *boxes;                     /* of TinkerGraphBox: where these are */
-    GArray *graph_boxes, *block_boxes; /* likewise, what was about when one looked last; of graphs and fields, too */
+    GArray *graph_boxes, *block_boxes; /* of TinkerGraphBox: what they keep clear of; `block_boxes` if there is room */
+    gboolean has_looked;               /* that is up to date */
 
     TinkerInstrumentView *dragged; /* borrowed; NULL: none */
     double press[2], from[2], way[2];
@@ -83,23 +84,50 @@ static TinkerGraphBox wanted_box(TinkerInstrumentLayer *layer, TinkerInstrumentV
     return box;
 }
 
-/* Out of the way of those before it and of graphs; where instruments are smaller than they were put there, since the
- * canvas is small, also of blocks, if there is room for that. */
+/* What is in the way is asked for when everything that shows the scene has caught up with it. */
+static void look_again(TinkerInstrumentLayer *layer)
+{
+    layer->has_looked = FALSE;
+    gtk_widget_queue_allocate(GTK_WIDGET(layer));
+}
+
+/* Graphs stand in the way. Where instruments are smaller than they were put there, since the canvas is small, blocks do
+ * as well, where they are when one begins to look: instruments do not run away from what moves. */
+static void look_about(TinkerInstrumentLayer *layer)
+{
+    if (layer->has_looked || layer->views->len == 0) return;
+    layer->has_looked = TRUE;
+    g_array_unref(layer->graph_boxes);
+    layer->graph_boxes = tinker_graph_layer_taken(layer->graphs, NULL);
+    if (tinker_player_state(layer->player) == TINKER_PLAYER_PLAYING) return;
+    g_array_unref(layer->block_boxes);
+    layer->block_boxes = shrinkage(layer) < 1
+                             ? tinker_graph_layer_taken(layer->graphs, tinker_player_frame(layer->player))
+                             : g_array_new(FALSE, FALSE, sizeof(TinkerGraphBox));
+}
+
+/* Out of the way of those before it, but for one that is dragged, and of what is about; and no lower than where a bar
+ * may float, unless it was put there. */
 static void make_way(TinkerInstrumentLayer *layer, TinkerGraphBox *box)
 {
     const double width = gtk_widget_get_width(GTK_WIDGET(layer)), height = gtk_widget_get_height(GTK_WIDGET(layer));
-    g_autoptr(GArray) taken = g_array_copy(layer->boxes);
-    g_array_append_vals(taken, layer->graph_boxes->data, layer->graph_boxes->len);
+    const double bottom = box->y + box->height <= height - BAR_HEIGHT ? height - BAR_HEIGHT : height;
+    g_autoptr(GArray) taken = g_array_copy(layer->graph_boxes);
+    for (guint i = 0; i < layer->boxes->len; i++)
+        if (g_ptr_array_index(layer->views, i) != layer->dragged)
+            g_array_append_val(taken, g_array_index(layer->boxes, TinkerGraphBox, i));
     const guint firm = taken->len;
-    if (shrinkage(layer) < 1) g_array_append_vals(taken, layer->block_boxes->data, layer->block_boxes->len);
+    g_array_append_vals(taken, layer->block_boxes->data, layer->block_boxes->len);
     const TinkerGraphBox *all = (const TinkerGraphBox *)(gpointer)taken->data;
-    if (!tinker_graph_move_to_room(box, width, height, all, (int)taken->len))
-        tinker_graph_move_to_room(box, width, height, all, (int)firm);
+    if (!tinker_graph_move_to_room(box, width, bottom, all, (int)taken->len))
+        tinker_graph_move_to_room(box, width, bottom, all, (int)firm);
 }
 
-/* The boxes of all, in order. One that is dragged goes where the pointer takes it, and the others stay. */
+/* The boxes of all, in order. One that is dragged goes where the pointer takes it, and the others stay until it is
+ * there. */
 static void arrange(TinkerInstrumentLayer *layer)
 {
+    look_about(layer);
     g_array_set_size(layer->boxes, 0);
     for (guint i = 0; i < layer->views->len; i++) {
         TinkerInstrumentView *view = g_ptr_array_index(layer->views, i);
@@ -107,17 +135,6 @@ static void arrange(TinkerInstrumentLayer *layer)
         if (view != layer->dragged) make_way(layer, &box);
         g_array_append_val(layer->boxes, box);
     }
-}
-
-/* What is drawn about now is what stands in the way, until one looks elsewhere or the scene is another one: instruments
- * do not run away from what moves. */
-static void look_about(TinkerInstrumentLayer *layer)
-{
-    g_array_unref(layer->graph_boxes);
-    g_array_unref(layer->block_boxes);
-    layer->graph_boxes = tinker_graph_layer_taken(layer->graphs, NULL);
-    layer->block_boxes = tinker_graph_layer_taken(layer->graphs, tinker_player_frame(layer->player));
-    gtk_widget_queue_allocate(GTK_WIDGET(layer));
 }
 
 static TinkerGraphBox box_of(TinkerInstrumentLayer *layer, TinkerInstrumentView *view)
@@ -292,7 +309,7 @@ static void on_changed(TinkerInstrumentLayer *layer)
         gtk_widget_unparent(g_ptr_array_index(old, i));
     }
     gtk_widget_set_visible(GTK_WIDGET(layer), layer->views->len > 0);
-    look_about(layer);
+    look_again(layer);
 }
 
 /* The widget ----------------------------------------------------------------------------------------------------------
@@ -341,7 +358,7 @@ GtkWidget *tinker_instrument_layer_new(TinkerCanvas *canvas, TinkerGraphLayer *g
     layer->document = g_object_ref(document);
     layer->player = g_object_ref(player);
     layer->hand = tinker_hand_new(document, player);
-    g_signal_connect_object(canvas, "view-changed", G_CALLBACK(look_about), layer, G_CONNECT_SWAPPED);
+    g_signal_connect_object(canvas, "view-changed", G_CALLBACK(look_again), layer, G_CONNECT_SWAPPED);
     g_signal_connect_object(document, "changed", G_CALLBACK(on_changed), layer, G_CONNECT_SWAPPED);
     on_changed(layer);
     return GTK_WIDGET(layer);

@@ -186,7 +186,8 @@ static void draw_text(TinkerMeasureLayer *layer, cairo_t *cairo, PangoLayout *la
     pango_layout_get_pixel_size(layout, &width, &height);
     const double most_left = gtk_widget_get_width(GTK_WIDGET(layer)) - width - INNER;
     const double left = CLAMP(at[0] - width / 2.0, INNER, fmax(most_left, INNER));
-    const double top = fmax(at[1] - height / 2.0, INNER);
+    const double lowest = gtk_widget_get_height(GTK_WIDGET(layer)) - height - INNER;
+    const double top = CLAMP(at[1] - height / 2.0, INNER, fmax(lowest, INNER));
     cairo_rectangle(cairo, left - INNER, top - INNER / 2, width + 2 * INNER, height + INNER);
     cairo_set_source_rgba(cairo, ground[0], ground[1], ground[2], 0.9);
     cairo_fill(cairo);

@@ -17,6 +17,19 @@ def test_new_asks_for_units_and_width(display):
         app.find_starting("list item", "Gravity")
 
 
+def test_new_after_graphs_and_instruments(display):
+    """What stood on the canvas of the scene before is gone with it."""
+    graph = {"block": "A", "quantity": "y", "place": [-4, 3], "size": [3, 2]}
+    meter = {"block": "A", "quantity": "y", "kind": "number", "place": [2, 2]}
+    with App(display, scene(mass("A", 0, 0), graphs=[graph, dict(graph, quantity="x", place=[0, 3])], meters=[meter])) as app:
+        app.find(None, "Meter of A: Y Position")
+        app.press("ctrl+n")
+        app.click("Create", inside=app.find(None, "New Scene"))
+        app.gone(None, "Meter of A: Y Position")
+        app.gone(None, re.compile("^Graph of "))
+        app.place("Mass")
+
+
 def test_new_in_english_units(display):
     with App(display) as app:
         app.press("ctrl+n")
