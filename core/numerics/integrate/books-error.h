@@ -3,29 +3,21 @@
 #ifndef TINKER_NUMERICS_BOOKS_ERROR_H
 #define TINKER_NUMERICS_BOOKS_ERROR_H
 
-#include <glib.h>
-
 #include "numerics/integrate/explicit-rk.h"
-
-/* J: the largest of what was held or exchanged before, what the motion holds and what the books have taken. */
-double tinker_books_energy(const TinkerSystem *system, const double *v, const double *books, double before);
 
 /* A trial whose motion may be accepted. */
 typedef struct TinkerBooksTrial {
     const TinkerTableau *tableau;
     double *const *power; /* of every stage */
     double h;
-    const double *v0;    /* where it begins */
-    const double *q, *v; /* where it ends */
+    const double *v0, *books0; /* where it begins */
+    const double *q, *v;       /* where it ends */
     double tolerance;
 } TinkerBooksTrial;
 
-/* Whether nothing moves in it by more than places may be off by. */
-gboolean tinker_books_trial_stands(const TinkerSystem *system, const TinkerBooksTrial *trial);
-
-/* The error of the books' integrals over a trial, relative to what one step may be off by in them: a share of the
- * largest energy so far, to which is added what the trial exchanges, and what would set the system going no faster than
- * its places may be off by. */
-double tinker_books_error(const TinkerSystem *system, const TinkerBooksTrial *trial, double *energy);
+/* The error of the books' integrals over a trial in which nothing moves by more than places may be off by, relative to
+ * what one step may be off by in them: a share of what was and is exchanged, and what would set the system going so
+ * slowly. 0 where anything moves, as the error of the motion tells of it. */
+double tinker_books_error(const TinkerSystem *system, const TinkerBooksTrial *trial);
 
 #endif

@@ -37,7 +37,6 @@ typedef struct Stepper {
     const TinkerTableau *tableau;
     TinkerStepControl control;
     double first_step;
-    double energy; /* J: the largest so far, of the motion or in a book */
     Row rows[TINKER_RK_STAGES_CAP];
     Row error, second_error;
     double *q0, *v0, *books0; /* the start of the last step */
@@ -222,10 +221,9 @@ static double find_error(Stepper *stepper, double h)
 static double find_error_of_books(Stepper *stepper, double h, double error)
 {
     if (!(error <= 1.0) || stepper->system->books == 0) return error;
-    const TinkerBooksTrial trial = {stepper->tableau,          stepper->power, h, stepper->v0, stepper->q, stepper->v,
-                                    stepper->control.tolerance};
-    if (!tinker_books_trial_stands(stepper->system, &trial)) return error;
-    return fmax(error, tinker_books_error(stepper->system, &trial, &stepper->energy));
+    const TinkerBooksTrial trial = {stepper->tableau, stepper->power, h,          stepper->v0,
+                                    stepper->books0,  stepper->q,     stepper->v, stepper->control.tolerance};
+    return fmax(error, tinker_books_error(stepper->system, &trial));
 }
 
 /* Stages 1 to the end; *error is not finite where the system asked for a smaller step. */
@@ -263,7 +261,6 @@ static TinkerStatus begin(Stepper *stepper, const TinkerState *state, double lim
     tinker_copy(system->size, state->q, stepper->q0);
     tinker_copy(system->size, state->v, stepper->v0);
     tinker_copy(system->books, state->books, stepper->books0);
-    stepper->energy = tinker_books_energy(system, stepper->v0, stepper->books0, stepper->energy);
     stepper->t0 = state->t;
     if (status != TINKER_OK || stepper->control.h > 0.0) return status;
     stepper->control.h = stepper->first_step;

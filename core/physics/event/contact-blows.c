@@ -122,8 +122,7 @@ static gboolean creeps(const TinkerContactChange *change, guint number)
            tinker_change_hardly_slides(change, at);
 }
 
-/* Marks the speeds that are to be taken away, two a contact; answers whether any of them is more than
- * rounding. */
+/* Marks the speeds that are to be taken away, two a contact; answers whether any of them is more than rounding. */
 static gboolean mark_stopped(const TinkerContactChange *change, int8_t *stopped)
 {
     gboolean any = FALSE;

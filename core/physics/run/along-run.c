@@ -192,6 +192,20 @@ TinkerStatus tinker_along_run_follow(TinkerAlongRun *self, guint island, double 
     return status;
 }
 
+/* A linear form books what force elements do not store of what they give, as the summary does (system/books.c). */
+static TinkerStatus take_stored(TinkerAlongRun *self, TinkerIslandRun *run, double t, double *given)
+{
+    TinkerEnergy now = {0};
+    if (run->system.form == NULL) return TINKER_OK;
+    TinkerStatus status = tinker_island_run_state_at(run, t, self->q, self->v);
+    if (status == TINKER_OK) status = tinker_model_set_time(run->model, t);
+    if (status != TINKER_OK) return status;
+    tinker_model_set_state(run->model, self->q, self->v);
+    status = tinker_model_energy(run->model, &now);
+    given[TINKER_BOOK_MOTORS] -= now.stored_in_forces - run->books.start.stored_in_forces;
+    return status;
+}
+
 /* J that an island was given by t, by book; without what force elements and fields store. */
 static TinkerStatus add_books(TinkerAlongRun *self, TinkerIslandRun *run, double t, double *given)
 {
@@ -205,21 +219,7 @@ static TinkerStatus add_books(TinkerAlongRun *self, TinkerIslandRun *run, double
         given[run->system.book_of[i]] += books[i];
     for (int book = 0; book < TINKER_BOOK_COUNT; book++)
         given[book] += run->system.impact_work[book];
-    return status;
-}
-
-/* A linear form books what force elements do not store of what they give, as the summary does (system/books.c). */
-static TinkerStatus take_stored(TinkerAlongRun *self, TinkerIslandRun *run, double t, double *given)
-{
-    TinkerEnergy now = {0};
-    if (run->system.form == NULL) return TINKER_OK;
-    TinkerStatus status = tinker_island_run_state_at(run, t, self->q, self->v);
-    if (status == TINKER_OK) status = tinker_model_set_time(run->model, t);
-    if (status != TINKER_OK) return status;
-    tinker_model_set_state(run->model, self->q, self->v);
-    status = tinker_model_energy(run->model, &now);
-    given[TINKER_BOOK_MOTORS] -= now.stored_in_forces - run->books.start.stored_in_forces;
-    return status;
+    return status == TINKER_OK ? take_stored(self, run, t, given) : status;
 }
 
 static double energy_of(const double *given, int32_t number)
@@ -249,7 +249,6 @@ TinkerStatus tinker_along_run_values(TinkerAlongRun *self, double t, double *val
         for (guint k = 0; k < paths->columns->len; k++)
             values[g_array_index(paths->columns, guint, k)] = paths->lengths[k];
         if (self->energies->len > 0 && status == TINKER_OK) status = add_books(self, paths->run, t, given);
-        if (self->energies->len > 0 && status == TINKER_OK) status = take_stored(self, paths->run, t, given);
     }
     if (self->energies->len == 0 || status != TINKER_OK) return status;
     given[TINKER_BOOK_MOTORS] += now.stored_in_forces + now.stored_in_fields - self->stored_at_start;

@@ -1,5 +1,5 @@
-/* A support has an angle, though nothing but its motion changes it. Points are told of forces alone: of constraints
- * they are refused by whoever states the rows. */
+/* What has an end on a support is not idle: that has an angle. Constraints between angles are looked at for two ends on
+ * one body only, as a scene in which one of them has an end on a point is refused. */
 #include "scene/frame/idle-turns.h"
 
 #include <glib/gi18n-lib.h>

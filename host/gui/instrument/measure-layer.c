@@ -196,6 +196,13 @@ static void draw_text(TinkerMeasureLayer *layer, cairo_t *cairo, PangoLayout *la
     pango_cairo_show_layout(cairo, layout);
 }
 
+/* Where the first leg points (rad, on the canvas), and from it the shorter way to the second. */
+static void find_turn(double at[3][2], double *from, double *turn)
+{
+    *from = atan2(at[1][1] - at[0][1], at[1][0] - at[0][0]);
+    *turn = remainder(atan2(at[2][1] - at[0][1], at[2][0] - at[0][0]) - *from, 2 * G_PI);
+}
+
 /* The middle of the text: of a distance that of its line, as on a drawing, or above a line that it would cover; of an
  * angle beyond the arc, between the legs. */
 static void place_text(const TinkerMeasuring *measuring, double at[3][2], PangoLayout *layout, double middle[2])
@@ -210,8 +217,8 @@ static void place_text(const TinkerMeasuring *measuring, double at[3][2], PangoL
         if (!fits) middle[1] = fmin(at[0][1], at[1][1]) - height / 2.0 - 3 * INNER;
         return;
     }
-    const double from = atan2(dy, dx);
-    const double turn = remainder(atan2(at[2][1] - at[0][1], at[2][0] - at[0][0]) - from, 2 * G_PI);
+    double from, turn;
+    find_turn(at, &from, &turn);
     const double along[2] = {cos(from + turn / 2), sin(from + turn / 2)};
     const double off = ARC + INNER + hypot(width, height) / 2;
     for (int k = 0; k < 2; k++)
@@ -221,8 +228,8 @@ static void place_text(const TinkerMeasuring *measuring, double at[3][2], PangoL
 /* From the first leg to the second, the shorter way. */
 static void draw_arc(cairo_t *cairo, double at[3][2])
 {
-    const double from = atan2(at[1][1] - at[0][1], at[1][0] - at[0][0]);
-    const double turn = remainder(atan2(at[2][1] - at[0][1], at[2][0] - at[0][0]) - from, 2 * G_PI);
+    double from, turn;
+    find_turn(at, &from, &turn);
     cairo_new_sub_path(cairo);
     if (turn > 0)
         cairo_arc(cairo, at[0][0], at[0][1], ARC, from, from + turn);
