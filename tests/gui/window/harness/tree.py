@@ -159,25 +159,33 @@ class Tree:
             waiting += inside.get(node.path, [])
 
     def _ask_for_children(self, thorough):
-        """Answers whether there are some that were not listed."""
+        """Answers whether there are some that were not listed. What these have in them is asked for, too, so that one more list
+        has it all: a list of a whole window takes as long as sixty questions."""
         # Those that are hidden by now stay in the list, but are no longer counted by their parent.
         listed = collections.Counter(node.parent_path for node in self.nodes if node.has("visible"))
-        found = False
+        found = set()
         for node in self.nodes:
             if node.child_count == listed[node.path] and not (thorough and node.child_count and node.has("visible")):
                 continue
             counts = node.path, node.child_count, listed[node.path]
             if counts in self.asked:
                 continue
-            try:
-                children = node.call(ACCESSIBLE, "GetChildren")
-            except Gone:
-                continue
-            new = any(path not in self.by_path for _, path in children)
-            found = found or new
-            if not new:
+            waiting = self._unlisted_children(node.path, found)
+            if not waiting:
                 self.asked.add(counts)
-        return found
+            while waiting:
+                path = waiting.pop()
+                found.add(path)
+                waiting += self._unlisted_children(path, found)
+        return bool(found)
+
+    def _unlisted_children(self, path, found):
+        """Those of a widget that are neither listed nor found by now; none where it is no more."""
+        try:
+            children = self.bus.call(self.bus_name, path, ACCESSIBLE, "GetChildren")
+        except Gone:
+            return []
+        return [child for _, child in children if child not in self.by_path and child not in found]
 
     def forget(self):
         self.bus_name = None
