@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "fixture.h"
+#include "written.h"
 
 /* A bar of 2 kg and 1.2 m that is let go at 0.5 rad from straight down, on a pin at its end. */
 #define MASS     2.0
@@ -25,26 +26,6 @@ static char *pendulum(void)
         -LENGTH / 2);
 }
 
-static cJSON *parsed(CliFixture *fixture, const char *command)
-{
-    g_autoptr(TestProgram) program = cli_run_well(fixture, command);
-    cJSON *root = cJSON_Parse(program->output);
-    g_assert_nonnull(root);
-    return root;
-}
-
-static double symbol_of(const cJSON *root, const char *name)
-{
-    const cJSON *symbol = cJSON_GetObjectItemCaseSensitive(cJSON_GetObjectItem(root, "symbols"), name);
-    g_assert_nonnull(symbol);
-    return cJSON_GetObjectItem(symbol, "value")->valuedouble;
-}
-
-static void assert_near(double value, double expected, double within)
-{
-    if (!(fabs(value - expected) <= within)) g_error("%.15g where %.15g was expected", value, expected);
-}
-
 /* alpha = -m g d sin(theta) / (I + m d^2) with d = l/2, I = m l^2/12; the pin gives m a - m g, a = d alpha along the
  * path at the start. */
 static void test_pendulum(CliFixture *fixture, gconstpointer data)
@@ -52,11 +33,11 @@ static void test_pendulum(CliFixture *fixture, gconstpointer data)
     const double d = LENGTH / 2, inertia = MASS * LENGTH * LENGTH / 12;
     const double alpha = -MASS * GRAVITY * d * sin(AT_START) / (inertia + MASS * d * d);
     g_autofree char *text = pendulum(), *scene = cli_write(fixture, "scene.json", text);
-    cJSON *root = parsed(fixture, "equations @scene.json --as json");
-    assert_near(symbol_of(root, "Bar.angle"), AT_START - G_PI_2, 1e-15);
-    assert_near(symbol_of(root, "I"), inertia, 1e-15);
-    assert_near(symbol_of(root, "λx"), MASS * d * alpha * cos(AT_START), 1e-12);
-    assert_near(symbol_of(root, "λy"), MASS * (GRAVITY + d * alpha * sin(AT_START)), 1e-12);
+    cJSON *root = written_json(fixture, "equations @scene.json --as json");
+    written_assert_near(written_symbol(root, "Bar.angle"), AT_START - G_PI_2, 1e-15);
+    written_assert_near(written_symbol(root, "I"), inertia, 1e-15);
+    written_assert_near(written_symbol(root, "λx"), MASS * d * alpha * cos(AT_START), 1e-12);
+    written_assert_near(written_symbol(root, "λy"), MASS * (GRAVITY + d * alpha * sin(AT_START)), 1e-12);
     const cJSON *body = cJSON_GetArrayItem(cJSON_GetObjectItem(root, "bodies"), 0);
     g_assert_cmpstr(cJSON_GetObjectItem(body, "inertia")->valuestring, ==, "I");
     g_assert_cmpint(cJSON_GetArraySize(cJSON_GetObjectItem(root, "constraints")), ==, 2);
@@ -70,10 +51,10 @@ static void test_pendulum(CliFixture *fixture, gconstpointer data)
     g_assert_nonnull(strstr(values->output, " N·m\n")); /* a moment is no energy */
     g_assert_null(strstr(values->output, " J\n"));
 
-    root = parsed(fixture, "diagram @scene.json --block Bar --time 0 --as json");
+    root = written_json(fixture, "diagram @scene.json --block Bar --time 0 --as json");
     const cJSON *kinetic = cJSON_GetObjectItem(root, "kinetic");
-    assert_near(cJSON_GetObjectItem(kinetic, "torque")->valuedouble, inertia * alpha, 1e-12);
-    assert_near(cJSON_GetObjectItem(root, "inertia")->valuedouble, inertia, 1e-15);
+    written_assert_near(cJSON_GetObjectItem(kinetic, "torque")->valuedouble, inertia * alpha, 1e-12);
+    written_assert_near(cJSON_GetObjectItem(root, "inertia")->valuedouble, inertia, 1e-15);
     cJSON_Delete(root);
 }
 
@@ -87,13 +68,13 @@ static void test_torque(CliFixture *fixture, gconstpointer data)
         "{\"type\": \"pin\", \"ends\": [\"Axle\", \"Disc\"]},"
         "{\"type\": \"torsional-spring\", \"name\": \"Coil\", \"ends\": [\"Axle\", \"Disc\"], \"stiffness\": 3, "
         "\"rest_angle\": 0}]}");
-    cJSON *root = parsed(fixture, "diagram @scene.json --block Disc --time 0 --as json");
+    cJSON *root = written_json(fixture, "diagram @scene.json --block Disc --time 0 --as json");
     const cJSON *each, *forces = cJSON_GetObjectItem(root, "forces");
     double torque = 0;
     cJSON_ArrayForEach(each, forces) if (strcmp(cJSON_GetObjectItem(each, "from")->valuestring, "Coil") == 0) torque +=
         cJSON_GetObjectItem(each, "torque")->valuedouble;
-    assert_near(torque, -0.6, 1e-15);
-    assert_near(cJSON_GetObjectItem(cJSON_GetObjectItem(root, "kinetic"), "torque")->valuedouble, -0.6, 1e-15);
+    written_assert_near(torque, -0.6, 1e-15);
+    written_assert_near(cJSON_GetObjectItem(cJSON_GetObjectItem(root, "kinetic"), "torque")->valuedouble, -0.6, 1e-15);
     cJSON_Delete(root);
 }
 
@@ -115,24 +96,14 @@ static void test_angles(CliFixture *fixture, gconstpointer data)
         "[0.6, 0]}]}]}";
     text[strlen(text) - 2] = '\0';
     g_autofree char *longer = g_strconcat(text, more, NULL), *second = cli_write(fixture, "scene.json", longer);
-    cJSON *root = parsed(fixture, "equations @scene.json --form angles --as json");
+    cJSON *root = written_json(fixture, "equations @scene.json --form angles --as json");
     const cJSON *island = cJSON_GetArrayItem(cJSON_GetObjectItem(root, "islands"), 0);
     const cJSON *rod = cJSON_GetArrayItem(cJSON_GetObjectItem(island, "angles"), 1);
     g_assert_cmpint(cJSON_GetArraySize(cJSON_GetObjectItem(island, "equations")), ==, 2);
     g_assert_cmpstr(cJSON_GetObjectItem(rod, "block")->valuestring, ==, "Rod");
     const double x = LENGTH * sin(AT_START), y = 3 - LENGTH * cos(AT_START);
-    assert_near(cJSON_GetObjectItem(rod, "value")->valuedouble, atan2(0.6 - x, y - 1), 1e-12);
+    written_assert_near(cJSON_GetObjectItem(rod, "value")->valuedouble, atan2(0.6 - x, y - 1), 1e-12);
     cJSON_Delete(root);
-}
-
-static void assert_page_holds(CliFixture *fixture, const char *command, const char *const lines[])
-{
-    g_autoptr(TestProgram) page = cli_run_well(fixture, command);
-    g_autofree char *shown = g_utf8_normalize(page->output, -1, G_NORMALIZE_DEFAULT_COMPOSE);
-    for (; *lines != NULL; lines++) {
-        g_autofree char *wanted = g_utf8_normalize(*lines, -1, G_NORMALIZE_DEFAULT_COMPOSE);
-        cli_assert_holds(shown, wanted);
-    }
 }
 
 /* Two bars, of which the second hangs on the end of the first, and two pendulums as one: textbooks' equations, with the
@@ -166,80 +137,32 @@ static void test_double_pendulums(CliFixture *fixture, gconstpointer data)
     static const char *const of_masses[] = {
         "(m₁ + m₂) l₁² θ̈₁ + m₂ l₁ l₂ cos(θ₁ − θ₂) θ̈₂ + m₂ l₁ l₂ sin(θ₁ − θ₂) θ̇₂² + (m₁ + m₂) g l₁ sin(θ₁) = 0\n", NULL};
     g_autofree char *first = cli_write(fixture, "scene.json", bars);
-    assert_page_holds(fixture, "equations @scene.json --form angles", of_bars);
+    written_assert_page(fixture, "equations @scene.json --form angles", of_bars);
     g_autofree char *second = cli_write(fixture, "scene.json", masses);
-    assert_page_holds(fixture, "equations @scene.json --form angles", of_masses);
-}
-
-/* Values by name, and what stands for a name. */
-typedef struct {
-    GHashTable *values;
-    const cJSON *definitions[2];
-} Known;
-
-static double value_of(const Known *known, const cJSON *expression);
-
-static double value_of_name(const Known *known, const char *name)
-{
-    const double *value = g_hash_table_lookup(known->values, name);
-    if (value != NULL) return *value;
-    for (int i = 0; i < 2; i++)
-        for (const cJSON *each = cJSON_GetArrayItem(known->definitions[i], 0); each != NULL; each = each->next)
-            if (strcmp(cJSON_GetObjectItem(each, "symbol")->valuestring, name) == 0)
-                return value_of(known, cJSON_GetObjectItem(each, "is"));
-    g_error("%s has no value", name);
-}
-
-/* What the expression is worth, by the forms that equations in angles have. */
-static double value_of(const Known *known, const cJSON *expression)
-{
-    if (cJSON_IsNumber(expression)) return expression->valuedouble;
-    if (cJSON_IsString(expression)) return value_of_name(known, expression->valuestring);
-    const char *what = cJSON_GetArrayItem(expression, 0)->valuestring;
-    const int count = cJSON_GetArraySize(expression);
-    double value = value_of(known, cJSON_GetArrayItem(expression, 1));
-    if (strcmp(what, "sin") == 0) return sin(value);
-    if (strcmp(what, "cos") == 0) return cos(value);
-    if (strcmp(what, "sqrt") == 0) return sqrt(value);
-    if (strcmp(what, "-") == 0 && count == 2) return -value;
-    for (int i = 2; i < count; i++) {
-        const double next = value_of(known, cJSON_GetArrayItem(expression, i));
-        g_assert_nonnull(strchr("+-*/^", what[0]));
-        value = what[0] == '+'   ? value + next
-                : what[0] == '-' ? value - next
-                : what[0] == '*' ? value * next
-                : what[0] == '/' ? value / next
-                                 : pow(value, next);
-    }
-    return value;
-}
-
-static void know(Known *known, const char *name, double value)
-{
-    double *kept = g_new(double, 1);
-    *kept = value;
-    g_hash_table_insert(known->values, g_strdup(name), kept);
+    written_assert_page(fixture, "equations @scene.json --form angles", of_masses);
 }
 
 /* Every equation in the angles is 0 with the accelerations of the run, to the limit times its largest term. */
 static void assert_equations_hold(const cJSON *root, const double accelerations[2])
 {
     const cJSON *island = cJSON_GetArrayItem(cJSON_GetObjectItem(root, "islands"), 0), *each;
-    Known known = {g_hash_table_new_full(g_str_hash, g_str_equal, g_free, g_free),
-                   {cJSON_GetObjectItem(root, "definitions"), cJSON_GetObjectItem(island, "definitions")}};
+    WrittenValues known = {g_hash_table_new_full(g_str_hash, g_str_equal, g_free, g_free),
+                           {cJSON_GetObjectItem(root, "definitions"), cJSON_GetObjectItem(island, "definitions")}};
     int angles = 0;
     cJSON_ArrayForEach(each, cJSON_GetObjectItem(root, "symbols"))
-        know(&known, each->string, cJSON_GetObjectItem(each, "value")->valuedouble);
+        written_know(&known, each->string, cJSON_GetObjectItem(each, "value")->valuedouble);
     cJSON_ArrayForEach(each, cJSON_GetObjectItem(island, "angles"))
     {
-        know(&known, cJSON_GetObjectItem(each, "symbol")->valuestring, cJSON_GetObjectItem(each, "value")->valuedouble);
-        know(&known, cJSON_GetObjectItem(each, "rate")->valuestring,
-             cJSON_GetObjectItem(each, "rate_value")->valuedouble);
-        know(&known, cJSON_GetObjectItem(each, "acceleration")->valuestring, accelerations[angles++]);
+        written_know(&known, cJSON_GetObjectItem(each, "symbol")->valuestring,
+                     cJSON_GetObjectItem(each, "value")->valuedouble);
+        written_know(&known, cJSON_GetObjectItem(each, "rate")->valuestring,
+                     cJSON_GetObjectItem(each, "rate_value")->valuedouble);
+        written_know(&known, cJSON_GetObjectItem(each, "acceleration")->valuestring, accelerations[angles++]);
     }
     g_assert_cmpint(angles, ==, 2);
     g_assert_cmpint(cJSON_GetArraySize(cJSON_GetObjectItem(island, "blocks")), ==, 2);
-    cJSON_ArrayForEach(each, cJSON_GetObjectItem(island, "equations")) assert_near(value_of(&known, each), 0, 1e-9);
+    cJSON_ArrayForEach(each, cJSON_GetObjectItem(island, "equations"))
+        written_assert_near(written_value(&known, each), 0, 1e-9);
     g_hash_table_unref(known.values);
 }
 
@@ -274,7 +197,7 @@ static void test_joints_off_axes(CliFixture *fixture, gconstpointer data)
         double accelerations[2];
         accelerations[0] = g_ascii_strtod(end, &end);
         accelerations[1] = g_ascii_strtod(end + 1, NULL);
-        cJSON *root = parsed(fixture, "equations @scene.json --form angles --at 0.2 --as json");
+        cJSON *root = written_json(fixture, "equations @scene.json --form angles --at 0.2 --as json");
         assert_equations_hold(root, accelerations);
         cJSON_Delete(root);
     }
@@ -299,19 +222,14 @@ static void test_spans(CliFixture *fixture, gconstpointer data)
                                         "Rope: span 3, from Beam to M2\n",
                                         "L₃ = 3 m\n",
                                         NULL};
-    assert_page_holds(fixture, "equations @scene.json", lines);
-    cJSON *root = parsed(fixture, "equations @scene.json --as json");
+    written_assert_page(fixture, "equations @scene.json", lines);
+    cJSON *root = written_json(fixture, "equations @scene.json --as json");
     const double expected = 9.81;
-    assert_near(symbol_of(root, "λ"), -expected, 1e-12);
+    written_assert_near(written_symbol(root, "λ"), -expected, 1e-12);
     cJSON_Delete(root);
     static const char *const rows[] = {"Rope, end 2  constraint", "on to M1 and Beam\n", "Rope, end 3  constraint",
                                        "on to Beam and M2\n", NULL};
-    assert_page_holds(fixture, "diagram @scene.json --block Beam", rows);
-}
-
-static void assert_all_written(const cJSON *root)
-{
-    g_assert_cmpint(cJSON_GetArraySize(cJSON_GetObjectItem(root, "not_written")), ==, 0);
+    written_assert_page(fixture, "diagram @scene.json --block Beam", rows);
 }
 
 /* Wheels of I1, I2 and I3 that a torque M sets going, the second geared to the first by i, the third inside the second
@@ -332,23 +250,23 @@ static void test_gears(CliFixture *fixture, gconstpointer data)
         "{\"type\": \"gear\", \"name\": \"Outer\", \"ends\": [\"A\", \"B\"], \"ratio\": 0.4},"
         "{\"type\": \"gear\", \"name\": \"Inner\", \"ends\": [\"B\", \"C\"], \"ratio\": 1.5, \"internal\": true},"
         "{\"type\": \"torque\", \"name\": \"Motor\", \"ends\": [\"A\", \"Axle\"], \"amplitude\": 7}]}");
-    cJSON *root = parsed(fixture, "equations @scene.json --as json");
-    assert_all_written(root);
-    assert_near(symbol_of(root, "λ_4"), -i * alpha * (inertia[1] + k * k * inertia[2]), 1e-12);
-    assert_near(symbol_of(root, "λ_5"), -i * k * alpha * inertia[2], 1e-12);
+    cJSON *root = written_json(fixture, "equations @scene.json --as json");
+    written_assert_all(root);
+    written_assert_near(written_symbol(root, "λ_4"), -i * alpha * (inertia[1] + k * k * inertia[2]), 1e-12);
+    written_assert_near(written_symbol(root, "λ_5"), -i * k * alpha * inertia[2], 1e-12);
     cJSON_Delete(root);
     /* the wheels' bearings carry what gears do to them together: it is on no other wheel */
-    root = parsed(fixture, "books @scene.json --block A --block B --block C --to 2 --as json");
+    root = written_json(fixture, "books @scene.json --block A --block B --block C --to 2 --as json");
     const cJSON *angular = cJSON_GetObjectItem(root, "angular");
     const double scale = cJSON_GetObjectItem(angular, "scale")->valuedouble;
-    assert_near(cJSON_GetArrayItem(cJSON_GetObjectItem(angular, "angular_momentum"), 1)->valuedouble,
-                (inertia[0] - i * inertia[1] - i * k * inertia[2]) * alpha * 2, 1e-9 * scale);
-    assert_near(cJSON_GetObjectItem(angular, "residual")->valuedouble, 0, 1e-9 * scale);
+    written_assert_near(cJSON_GetArrayItem(cJSON_GetObjectItem(angular, "angular_momentum"), 1)->valuedouble,
+                        (inertia[0] - i * inertia[1] - i * k * inertia[2]) * alpha * 2, 1e-9 * scale);
+    written_assert_near(cJSON_GetObjectItem(angular, "residual")->valuedouble, 0, 1e-9 * scale);
     g_assert_nonnull(cJSON_GetObjectItem(cJSON_GetObjectItem(angular, "impulses"), "Outer"));
     cJSON_Delete(root);
     static const char *const lines[] = {"0 = θ₂ − θ0_4,2 + i₄ (θ₁ − θ0_4,1) ", "0 = θ₃ − θ0_5,2 − i₅ (θ₂ − θ0_5,1) ",
                                         "+ M   Outer + Motor", NULL};
-    assert_page_holds(fixture, "equations @scene.json", lines);
+    written_assert_page(fixture, "equations @scene.json", lines);
 }
 
 /* A crank that is driven as n t + A cos(omega t): it takes I theta'' = -I A omega^2 at the start. */
@@ -361,12 +279,12 @@ static void test_drive(CliFixture *fixture, gconstpointer data)
         "{\"type\": \"pin\", \"ends\": [\"Axle\", \"Crank\"]},"
         "{\"type\": \"drive\", \"name\": \"Drive\", \"ends\": [\"Crank\", \"Axle\"], \"speed\": 2, \"waveform\": "
         "\"cosine\", \"amplitude\": 0.3, \"frequency\": 5}]}");
-    cJSON *root = parsed(fixture, "equations @scene.json --as json");
-    assert_all_written(root);
-    assert_near(symbol_of(root, "λ_2"), -0.5 * 0.3 * 25, 1e-12);
+    cJSON *root = written_json(fixture, "equations @scene.json --as json");
+    written_assert_all(root);
+    written_assert_near(written_symbol(root, "λ_2"), -0.5 * 0.3 * 25, 1e-12);
     cJSON_Delete(root);
     static const char *const lines[] = {"− n t − (u − u0)   Drive", "u0 = A ", NULL};
-    assert_page_holds(fixture, "equations @scene.json", lines);
+    written_assert_page(fixture, "equations @scene.json", lines);
 }
 
 /* A disc and a hoop that roll down a plank of slope a: with k = I / m r^2, N = m g cos a, f = m g sin a k / (1 + k) up
@@ -384,12 +302,12 @@ static void test_rolling(CliFixture *fixture, gconstpointer data)
         "%.17g]}]}",
         -slope, r, s * (0.2 + r), c * (0.2 + r), r, s * (0.2 + r) + 3 * c, c * (0.2 + r) - 3 * s);
     g_autofree char *scene = cli_write(fixture, "scene.json", text);
-    cJSON *root = parsed(fixture, "equations @scene.json --as json");
-    assert_all_written(root);
-    assert_near(symbol_of(root, "N_1"), mass * g * c, 1e-9);
-    assert_near(symbol_of(root, "N_2"), mass * g * c, 1e-9);
-    assert_near(symbol_of(root, "f_1"), -mass * g * s / 3, 1e-9);
-    assert_near(symbol_of(root, "f_2"), -mass * g * s / 2, 1e-9);
+    cJSON *root = written_json(fixture, "equations @scene.json --as json");
+    written_assert_all(root);
+    written_assert_near(written_symbol(root, "N_1"), mass * g * c, 1e-9);
+    written_assert_near(written_symbol(root, "N_2"), mass * g * c, 1e-9);
+    written_assert_near(written_symbol(root, "f_1"), -mass * g * s / 3, 1e-9);
+    written_assert_near(written_symbol(root, "f_2"), -mass * g * s / 2, 1e-9);
     cJSON_Delete(root);
     static const char *const lines[] = {"I₁ θ̈₁ = f₁ R₁",
                                         "− (H / 2 + R₁) ",
@@ -398,7 +316,7 @@ static void test_rolling(CliFixture *fixture, gconstpointer data)
                                         "friction force, sticks while |f₁| ≤ µs N₁)",
                                         "µs = 0.6 ",
                                         NULL};
-    assert_page_holds(fixture, "equations @scene.json", lines);
+    written_assert_page(fixture, "equations @scene.json", lines);
 }
 
 /* A box that slides: pushed at its two lower corners, whose forces make up its weight, and whose moments with
@@ -412,14 +330,14 @@ static void test_sliding_box(CliFixture *fixture, gconstpointer data)
         "\"dynamic_friction\": 0.3},"
         "{\"type\": \"box\", \"name\": \"Box\", \"mass\": 2, \"width\": 0.8, \"height\": 0.4, \"position\": [0, 0.4], "
         "\"velocity\": [2, 0]}]}");
-    cJSON *root = parsed(fixture, "equations @scene.json --as json");
-    assert_all_written(root);
-    const double weight = 2 * 9.81, a = symbol_of(root, "N_1"), b = symbol_of(root, "N_2");
-    assert_near(a + b, weight, 1e-9);
-    assert_near(fabs(b - a), 0.3 * weight * 0.4 / 0.8, 1e-9);
+    cJSON *root = written_json(fixture, "equations @scene.json --as json");
+    written_assert_all(root);
+    const double weight = 2 * 9.81, a = written_symbol(root, "N_1"), b = written_symbol(root, "N_2");
+    written_assert_near(a + b, weight, 1e-9);
+    written_assert_near(fabs(b - a), 0.3 * weight * 0.4 / 0.8, 1e-9);
     cJSON_Delete(root);
     static const char *const lines[] = {"I θ̈ = r₁x N₁ + r₁y σ₁ µd N₁ + r₂x N₂ + r₂y σ₂ µd N₂", NULL};
-    assert_page_holds(fixture, "equations @scene.json", lines);
+    written_assert_page(fixture, "equations @scene.json", lines);
 }
 
 /* A damper from a place on a beam that swings: its end there moves by omega x r. */
@@ -434,10 +352,10 @@ static void test_turned_support(CliFixture *fixture, gconstpointer data)
                   "{\"type\": \"damper\", \"ends\": [{\"block\": \"Beam\", \"at\": [1, 0]}, \"Bob\"]}]}");
     static const char *const lines[] = {
         "φ̇ = A ω cos(ω t)", "((x − ax₁ cos(φ)) (ẋ + φ̇ ax₁ sin(φ)) + (y − ax₁ sin(φ)) (ẏ − φ̇ ax₁ cos(φ))) / L", NULL};
-    cJSON *root = parsed(fixture, "equations @scene.json --as json");
-    assert_all_written(root);
+    cJSON *root = written_json(fixture, "equations @scene.json --as json");
+    written_assert_all(root);
     cJSON_Delete(root);
-    assert_page_holds(fixture, "equations @scene.json", lines);
+    written_assert_page(fixture, "equations @scene.json", lines);
 }
 
 static const cJSON *account(const cJSON *root, const char *section, const char *list, const char *block)
@@ -449,16 +367,16 @@ static const cJSON *account(const cJSON *root, const char *section, const char *
 static void test_books(CliFixture *fixture, gconstpointer data)
 {
     g_autofree char *text = pendulum(), *scene = cli_write(fixture, "scene.json", text);
-    cJSON *root = parsed(fixture, "books @scene.json --block Bar --from 0 --to 1 --about 0,3 --as json");
+    cJSON *root = written_json(fixture, "books @scene.json --block Bar --from 0 --to 1 --about 0,3 --as json");
     const cJSON *energy = cJSON_GetObjectItem(root, "energy"), *angular = cJSON_GetObjectItem(root, "angular");
     const double kinetic = cJSON_GetArrayItem(cJSON_GetObjectItem(energy, "kinetic"), 1)->valuedouble;
-    assert_near(account(root, "energy", "work", "Pin")->valuedouble, 0, 1e-9);
-    assert_near(account(root, "energy", "work", "Gravity")->valuedouble, kinetic, 1e-9);
-    assert_near(account(root, "angular", "impulses", "Pin")->valuedouble, 0, 1e-9);
+    written_assert_near(account(root, "energy", "work", "Pin")->valuedouble, 0, 1e-9);
+    written_assert_near(account(root, "energy", "work", "Gravity")->valuedouble, kinetic, 1e-9);
+    written_assert_near(account(root, "angular", "impulses", "Pin")->valuedouble, 0, 1e-9);
     const double spin = cJSON_GetArrayItem(cJSON_GetObjectItem(angular, "angular_momentum"), 1)->valuedouble;
-    assert_near(account(root, "angular", "impulses", "Gravity")->valuedouble, spin, 1e-9);
+    written_assert_near(account(root, "angular", "impulses", "Gravity")->valuedouble, spin, 1e-9);
     /* h = J omega and T = J omega^2 / 2 about the pin, with J = m l^2 / 3 */
-    assert_near(kinetic, spin * spin / (2 * MASS * LENGTH * LENGTH / 3), 1e-9);
+    written_assert_near(kinetic, spin * spin / (2 * MASS * LENGTH * LENGTH / 3), 1e-9);
     cJSON_Delete(root);
 }
 
@@ -491,14 +409,14 @@ static void test_redundant(CliFixture *fixture, gconstpointer data)
         "{\"type\": \"pin\", \"name\": \"Pin 0\", \"ends\": [\"Left\", {\"block\": \"Beam\", \"at\": [-1, 0]}]},"
         "{\"type\": \"pin\", \"name\": \"Pin 1\", \"ends\": [\"Right\", {\"block\": \"Beam\", \"at\": [1, 0]}]}]}";
     g_autofree char *scene = cli_write(fixture, "scene.json", beam);
-    cJSON *root = parsed(fixture, "equations @scene.json --as json");
+    cJSON *root = written_json(fixture, "equations @scene.json --as json");
     const cJSON *rows = cJSON_GetObjectItem(root, "constraints"), *row;
     cJSON_ArrayForEach(row, rows)
     {
         const char *multiplier = cJSON_GetObjectItem(row, "multiplier")->valuestring;
         const gboolean along = strstr(multiplier, "λx") != NULL;
         g_assert_cmpint(cJSON_IsTrue(cJSON_GetObjectItem(row, "redundant")), ==, along);
-        assert_near(symbol_of(root, multiplier), along ? 0 : 15, 1e-9);
+        written_assert_near(written_symbol(root, multiplier), along ? 0 : 15, 1e-9);
     }
     g_assert_cmpint(cJSON_GetArraySize(rows), ==, 4);
     cJSON_Delete(root);
@@ -516,20 +434,20 @@ static void test_rope(CliFixture *fixture, gconstpointer data)
         "{\"type\": \"mass\", \"name\": \"Heavy\", \"mass\": 3, \"position\": [0.001, 1]},"
         "{\"type\": \"rope\", \"name\": \"Rope\", \"ends\": [\"Light\", \"Wheel\", \"Heavy\"]}]}";
     g_autofree char *scene = cli_write(fixture, "scene.json", atwood);
-    cJSON *root = parsed(fixture, "diagram @scene.json --block Light --time 0.1 --as json");
+    cJSON *root = written_json(fixture, "diagram @scene.json --block Light --time 0.1 --as json");
     const cJSON *force = cJSON_GetArrayItem(cJSON_GetObjectItem(root, "forces"), 1);
     g_assert_cmpstr(cJSON_GetObjectItem(force, "from")->valuestring, ==, "Rope");
     g_assert_cmpstr(cJSON_GetObjectItem(force, "partner")->valuestring, ==, "Wheel");
-    assert_near(cJSON_GetArrayItem(cJSON_GetObjectItem(force, "force"), 1)->valuedouble, 15, 1e-4);
+    written_assert_near(cJSON_GetArrayItem(cJSON_GetObjectItem(force, "force"), 1)->valuedouble, 15, 1e-4);
     cJSON_Delete(root);
-    root = parsed(fixture, "diagram @scene.json --block Wheel --time 0.1 --as json");
+    root = written_json(fixture, "diagram @scene.json --block Wheel --time 0.1 --as json");
     const cJSON *both = cJSON_GetObjectItem(cJSON_GetArrayItem(cJSON_GetObjectItem(root, "forces"), 0), "partner");
     g_assert_cmpint(cJSON_GetArraySize(both), ==, 2);
     g_assert_cmpstr(cJSON_GetArrayItem(both, 0)->valuestring, ==, "Light");
     g_assert_cmpstr(cJSON_GetArrayItem(both, 1)->valuestring, ==, "Heavy");
     cJSON_Delete(root);
-    root = parsed(fixture, "equations @scene.json --at 0.1 --as json");
-    assert_near(symbol_of(root, "λ"), -15, 1e-4);
+    root = written_json(fixture, "equations @scene.json --at 0.1 --as json");
+    written_assert_near(written_symbol(root, "λ"), -15, 1e-4);
     cJSON_Delete(root);
 }
 
@@ -555,7 +473,7 @@ static void test_gear_has_no_partner(CliFixture *fixture, gconstpointer data)
         g_autoptr(TestProgram) page = cli_run_well(fixture, command);
         g_assert_null(strstr(page->output, "G, end"));
         g_assert_null(strstr(page->output, "on to"));
-        cJSON *root = parsed(fixture, as_json);
+        cJSON *root = written_json(fixture, as_json);
         const cJSON *force;
         int found = 0;
         cJSON_ArrayForEach(force, cJSON_GetObjectItem(root, "forces"))
@@ -572,7 +490,7 @@ static void test_gear_has_no_partner(CliFixture *fixture, gconstpointer data)
 /* The couple that a diagram has from a block. */
 static double couple_from(CliFixture *fixture, const char *command, const char *from)
 {
-    cJSON *root = parsed(fixture, command);
+    cJSON *root = written_json(fixture, command);
     const cJSON *force;
     double couple = NAN;
     cJSON_ArrayForEach(force, cJSON_GetObjectItem(root, "forces"))
@@ -596,7 +514,8 @@ static void test_welded_beam(CliFixture *fixture, gconstpointer data)
         "{\"type\": \"weld\", \"name\": \"Root\", \"ends\": [\"Wall\", {\"block\": \"Beam\", \"at\": [-1.5, 0]}]},"
         "{\"type\": \"law-force\", \"name\": \"Load\", \"ends\": [{\"block\": \"Beam\", \"at\": [1.5, 0]}],"
         " \"force_y\": \"-a\", \"a\": \"7 N\"}]}");
-    assert_near(couple_from(fixture, "diagram @scene.json --block Beam --time 0.2 --as json", "Root"), 7 * 3, 1e-12);
+    written_assert_near(couple_from(fixture, "diagram @scene.json --block Beam --time 0.2 --as json", "Root"), 7 * 3,
+                        1e-12);
 }
 
 /* A drive that holds a bar level: m g L/2 about the pin. */
@@ -611,8 +530,8 @@ static void test_holding_drive(CliFixture *fixture, gconstpointer data)
         " \"orientation\": 0},"
         "{\"type\": \"pin\", \"name\": \"Pin\", \"ends\": [\"Wall\", {\"block\": \"Bar\", \"at\": [-1.5, 0]}]},"
         "{\"type\": \"drive\", \"name\": \"Drive\", \"ends\": [\"Wall\", \"Bar\"], \"speed\": 0}]}");
-    assert_near(couple_from(fixture, "diagram @scene.json --block Bar --time 0.2 --as json", "Drive"), 2 * 10 * 1.5,
-                1e-12);
+    written_assert_near(couple_from(fixture, "diagram @scene.json --block Bar --time 0.2 --as json", "Drive"),
+                        2 * 10 * 1.5, 1e-12);
 }
 
 /* Torques are in N m, energies in J. */
@@ -627,7 +546,7 @@ static void test_units(CliFixture *fixture, gconstpointer data)
                   "{\"type\": \"gear\", \"name\": \"Pair\", \"ends\": [\"A\", \"B\"]},"
                   "{\"type\": \"torsional-spring\", \"name\": \"Spring\", \"ends\": [\"Axle\", \"A\"]},"
                   "{\"type\": \"torque\", \"name\": \"Motor\", \"ends\": [\"A\", \"Axle\"], \"amplitude\": 7}]}");
-    cJSON *root = parsed(fixture, "equations @scene.json --as json");
+    cJSON *root = written_json(fixture, "equations @scene.json --as json");
     const cJSON *each;
     int torques = 0, energies = 0;
     cJSON_ArrayForEach(each, cJSON_GetObjectItem(root, "symbols"))

@@ -1,4 +1,4 @@
-/* A contact of a body with the top of a support, and what it adds to the equations. */
+/* A contact of two shapes, and what it adds to the equations. */
 #ifndef TINKER_CORE_CONTACT_TERMS_H
 #define TINKER_CORE_CONTACT_TERMS_H
 
@@ -7,15 +7,19 @@
 typedef enum { TINKER_TOUCHES_AS_MASS, TINKER_TOUCHES_AS_DISC, TINKER_TOUCHES_AT_CORNER } TinkerTouchShape;
 
 typedef struct {
-    TinkerBlockId support, body;
-    double normal, friction; /* N: across the top, along it */
-    double moment;           /* N m: what resists rolling */
-    double at[2];            /* m: where it touches */
-    TinkerTouchShape shape;
-    const char *index; /* of its symbols; NULL: that of the support */
-} TinkerTopContact;
+    TinkerBlockId tip, seat;  /* of the seat: a support, or another body */
+    double normal, friction;  /* N, on what has the tip: from the seat to the tip, and along the seat */
+    double moment;            /* N m: what resists rolling, on what has the tip */
+    double at[2];             /* m: where it touches */
+    TinkerTouchShape shape;   /* of the tip */
+    const TinkerTouch *touch; /* NULL: nothing is known but that the seat is the top of a support */
+    const char *index;        /* of its symbols; NULL: that of the seat's block */
+} TinkerContactForce;
+
+/* Whether the seat is the top of a support, whose size says where it is. */
+gboolean tinker_contact_is_on_top(const TinkerEquationWriter *writer, const TinkerContactForce *contact);
 
 /* Adds its rows and terms. */
-void tinker_writer_add_top_contact(TinkerEquationWriter *writer, const TinkerTopContact *contact);
+void tinker_writer_add_contact(TinkerEquationWriter *writer, const TinkerContactForce *contact);
 
 #endif

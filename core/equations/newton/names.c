@@ -1,4 +1,5 @@
 /* Names of symbols: the stem that the block's author gave, "k", with a number where several blocks have it. */
+#include <math.h>
 #include <string.h>
 
 #include "equations/newton/writer.h"
@@ -60,6 +61,18 @@ static void count_stem(TinkerEquationWriter *writer, const char *stem)
     g_hash_table_insert(writer->stems, g_strdup(stem), GINT_TO_POINTER(before + 1));
 }
 
+/* Of a body with a surface of its own. */
+static void count_surface(TinkerEquationWriter *writer, TinkerBlockId block)
+{
+    static const struct {
+        int32_t meaning;
+        const char *stem;
+    } coefficients[] = {{TINKER_MEANING_STATIC_FRICTION, "µs"}, {TINKER_MEANING_DYNAMIC_FRICTION, "µd"}};
+    for (gsize i = 0; i < G_N_ELEMENTS(coefficients); i++)
+        if (!isnan(tinker_frame_meaning(writer->frame, block, coefficients[i].meaning, 0, NAN)))
+            count_stem(writer, coefficients[i].stem);
+}
+
 static void count_stems(TinkerEquationWriter *writer, TinkerBlockId block, const TinkerBlockClass *block_class,
                         Group group)
 {
@@ -78,6 +91,7 @@ static void count_stems(TinkerEquationWriter *writer, TinkerBlockId block, const
                                                                : of_others;
     for (; *stems != NULL; stems++)
         count_stem(writer, *stems);
+    if (group == GROUP_BODIES) count_surface(writer, block);
     g_autoptr(TinkerBlockLaw) law = tinker_writer_law_of(writer, block, NULL);
     for (stems = of_unwritten; law == NULL && group != GROUP_BODIES && *stems != NULL; stems++)
         count_stem(writer, *stems);

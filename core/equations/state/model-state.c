@@ -73,6 +73,7 @@ TinkerModelState *tinker_model_state_take(TinkerSimulation *simulation, TinkerMo
         if (tinker_simulation_body(simulation, body.block, &body.at)) g_array_append_val(state->bodies, body);
     }
     if (!tinker_acting_forces_at(acting, simulation, state->forces, error)) return NULL;
+    state->touches = g_array_copy((GArray *)tinker_acting_forces_touches(acting));
     accelerations_by_forces(state, scene);
     return g_steal_pointer(&state);
 }
@@ -81,6 +82,7 @@ void tinker_model_state_free(TinkerModelState *state)
 {
     g_clear_pointer(&state->bodies, g_array_unref);
     g_clear_pointer(&state->forces, g_array_unref);
+    g_clear_pointer(&state->touches, g_array_unref);
     g_free(state);
 }
 

@@ -14,9 +14,10 @@ typedef struct {
 } TinkerBodyState;
 
 typedef struct {
-    double time;    /* s */
-    GArray *bodies; /* of TinkerBodyState, in the order of the scene */
-    GArray *forces; /* of TinkerActingForce */
+    double time;     /* s */
+    GArray *bodies;  /* of TinkerBodyState, in the order of the scene */
+    GArray *forces;  /* of TinkerActingForce */
+    GArray *touches; /* of TinkerTouch */
 } TinkerModelState;
 
 /* The columns that a run is to have for that: the accelerations of all bodies. (transfer full) */

@@ -21,7 +21,8 @@
 struct _TinkerActingForces {
     TinkerModel *model;
     double *acceleration;
-    GArray *out; /* borrowed, of the call in progress */
+    GArray *out;     /* borrowed, of the call in progress */
+    GArray *touches; /* of TinkerTouch */
 };
 
 GArray *tinker_acting_forces_array(void)
@@ -34,6 +35,7 @@ TinkerActingForces *tinker_acting_forces_new(TinkerModel *model)
     TinkerActingForces *forces = g_new0(TinkerActingForces, 1);
     forces->model = model;
     forces->acceleration = g_new0(double, (gsize)MAX(model->coordinates, 1));
+    forces->touches = g_array_new(FALSE, FALSE, sizeof(TinkerTouch));
     return forces;
 }
 
@@ -41,7 +43,13 @@ void tinker_acting_forces_free(TinkerActingForces *forces)
 {
     if (forces == NULL) return;
     g_free(forces->acceleration);
+    g_array_unref(forces->touches);
     g_free(forces);
+}
+
+const GArray *tinker_acting_forces_touches(const TinkerActingForces *forces)
+{
+    return forces->touches;
 }
 
 static TinkerBlockId block_of(const TinkerModel *model, int32_t point)
@@ -71,7 +79,8 @@ static void add(TinkerActingForces *forces, TinkerActingKind kind, TinkerBlockId
                                .fx = fx,
                                .fy = fy,
                                .torque = torque_on(model, point, torque),
-                               .end = end};
+                               .end = end,
+                               .touch = -1};
     g_array_append_val(forces->out, force);
 }
 
@@ -182,8 +191,8 @@ static void add_touch(TinkerActingForces *forces, TinkerActingKind kind, const T
     double off = model->contacts->half_height[contact->body];
     double x = centre->x - off * plate->normal[0] + model->origin[0];
     double y = centre->y - off * plate->normal[1] + model->origin[1];
-    TinkerActingForce pair[2] = {{plate->block, body, kind, x, y, fx, fy, 0, -1},
-                                 {body, plate->block, kind, x, y, -fx, -fy, 0, -1}};
+    TinkerActingForce pair[2] = {{plate->block, body, kind, x, y, fx, fy, 0, -1, -1},
+                                 {body, plate->block, kind, x, y, -fx, -fy, 0, -1, -1}};
     g_array_append_vals(forces->out, pair, 2);
 }
 
@@ -195,6 +204,23 @@ static void make_room(TinkerActingForces *forces)
     if (model->contacts == NULL) return;
     g_array_set_size(forces->out, now + FORCES_A_CONTACT * ((guint)model->bodies + EXPECTED_CONTACTS));
     g_array_set_size(forces->out, now);
+    g_array_set_size(forces->touches, (guint)model->bodies + EXPECTED_CONTACTS);
+    g_array_set_size(forces->touches, 0);
+}
+
+static void note_touch(TinkerActingForces *forces, const TinkerContact *contact, const double normal[2],
+                       const TinkerBlockId block[2])
+{
+    const TinkerPlate *plate = &forces->model->contacts->plates[contact->plate];
+    const TinkerSurface *surface = &plate->surface;
+    const TinkerTouch touch = {.block = {block[0], block[1]},
+                               .angle = {plate->pair->angle[0], plate->pair->angle[1]},
+                               .gap = *plate->gap,
+                               .normal = {normal[0], normal[1]},
+                               .mode = contact->mode,
+                               .at_limit = contact->at_limit,
+                               .friction = {surface->static_friction, surface->dynamic_friction}};
+    g_array_append_val(forces->touches, touch);
 }
 
 /* On what has the tip of a gap, and the opposite on the other; what resists rolling is a torque beside friction. */
@@ -206,11 +232,13 @@ static void add_gap(TinkerActingForces *forces, int32_t number)
     const double moment = tinker_contacts_moment(model->contacts, number);
     const int32_t tip = plate->gap->tip_of;
     TinkerContactEntries entries;
-    TinkerBlockId block[2];
+    const TinkerBlockId block[2] = {tinker_model_block_of(model, plate->pair->point[0]),
+                                    tinker_model_block_of(model, plate->pair->point[1])};
     double resists[2]; /* N m */
     tinker_contact_gap_entries(model->contacts, contact->plate, &entries);
+    note_touch(forces, contact, entries.normal, block);
+    const int32_t touch = (int32_t)forces->touches->len - 1;
     for (int k = 0; k < 2; k++) {
-        block[k] = tinker_model_block_of(model, plate->pair->point[k]);
         resists[k] = torque_on(model, plate->pair->point[k], k == tip ? moment : -moment);
     }
     const double *n = entries.normal, x = entries.point[0] + model->origin[0], y = entries.point[1] + model->origin[1];
@@ -220,8 +248,8 @@ static void add_gap(TinkerActingForces *forces, int32_t number)
         const TinkerActingKind kind = k == 0 ? TINKER_ACTING_NORMAL : TINKER_ACTING_FRICTION;
         const double fx = push[k][0], fy = push[k][1];
         TinkerActingForce pair[2] = {
-            {block[1 - tip], block[tip], kind, x, y, fx, fy, k == 0 ? 0 : resists[tip], -1},
-            {block[tip], block[1 - tip], kind, x, y, -fx, -fy, k == 0 ? 0 : resists[1 - tip], -1}};
+            {block[1 - tip], block[tip], kind, x, y, fx, fy, k == 0 ? 0 : resists[tip], -1, touch},
+            {block[tip], block[1 - tip], kind, x, y, -fx, -fy, k == 0 ? 0 : resists[1 - tip], -1, touch}};
         g_array_append_vals(forces->out, pair, 2);
     }
 }
@@ -236,8 +264,8 @@ static void add_pressing(TinkerActingForces *forces, const TinkerPressing *each)
                                {each->friction * n[1], -each->friction * n[0]}};
     for (int k = 0; k < 2; k++) {
         const TinkerActingKind kind = k == 0 ? TINKER_ACTING_NORMAL : TINKER_ACTING_FRICTION;
-        TinkerActingForce pair[2] = {{by, on, kind, x, y, push[k][0], push[k][1], 0, -1},
-                                     {on, by, kind, x, y, -push[k][0], -push[k][1], 0, -1}};
+        TinkerActingForce pair[2] = {{by, on, kind, x, y, push[k][0], push[k][1], 0, -1, -1},
+                                     {on, by, kind, x, y, -push[k][0], -push[k][1], 0, -1, -1}};
         g_array_append_vals(forces->out, pair, 2);
     }
 }
@@ -287,6 +315,7 @@ gboolean tinker_acting_forces_at(TinkerActingForces *forces, TinkerSimulation *s
     TinkerModel *model = forces->model;
     g_assert(simulation->all->model == model);
     g_array_set_size(out, 0);
+    g_array_set_size(forces->touches, 0);
     forces->out = out;
     model->failure = "";
     TinkerStatus status = tinker_sampler_look_at(model, simulation->all->sample_time, simulation->all->sample_q,

@@ -3,8 +3,10 @@
 #ifndef TINKER_CORE_ACTING_FORCES_H
 #define TINKER_CORE_ACTING_FORCES_H
 
+#include "numerics/contact/contact-laws.h"
 #include "physics/model/model.h"
 #include "physics/run/simulation.h"
+#include "physics/shapes/gaps.h"
 
 typedef enum {
     TINKER_ACTING_LINE,       /* of a connector that pulls its two ends together, or pushes them apart */
@@ -24,7 +26,19 @@ typedef struct {
     double fx, fy; /* N */
     double torque; /* N m: beside that of the force at its arm */
     int32_t end;   /* of `by`: the number of the end it acts at; -1: at none */
+    int32_t touch; /* of a contact whose gap function is known: its number among the touches; else -1 */
 } TinkerActingForce;
+
+/* Two shapes that touch, by one of their gap functions. */
+typedef struct {
+    TinkerBlockId block[2]; /* of shapes 0 and 1 */
+    double angle[2];        /* rad: of a shape whose block has no angle of its own, as that of a mass */
+    TinkerGapFunction gap;
+    double normal[2];       /* from what has the seat to what has the tip */
+    TinkerContactMode mode; /* its friction is on what has the tip, along t */
+    gboolean at_limit;      /* slips by its static coefficient */
+    double friction[2];     /* coefficients: static, dynamic */
+} TinkerTouch;
 
 typedef struct _TinkerActingForces TinkerActingForces;
 
@@ -42,6 +56,9 @@ G_DEFINE_AUTOPTR_CLEANUP_FUNC(TinkerActingForces, tinker_acting_forces_free)
  * the bit; after the first call memory is needed only where more touches than ever before. Errors:
  * TINKER_MODEL_ERROR_RUN where a plugin does not give its forces. */
 gboolean tinker_acting_forces_at(TinkerActingForces *forces, TinkerSimulation *simulation, GArray *out, GError **error);
+
+/* What touched when forces were asked for last: valid until the next time. Element: TinkerTouch. Borrowed. */
+const GArray *tinker_acting_forces_touches(const TinkerActingForces *forces);
 
 /* The forces in a scene as it is set up, at t = 0: compiles it and lets it touch what it touches. Errors are those of
  * compiling. */

@@ -1,0 +1,351 @@
+/* With n from the seat to the tip and t = (n_y, -n_x), d from the centre of the seat's block to the tip, r the radius
+ * of a disc at the tip:
+ *
+ *     on an edge     gap n . d - h - r       h: from the centre to the edge; of a support half its height, and half
+ *                    rolled t . d + r (theta_tip - theta_seat)                  that of a mass, which is a point
+ *     on a round     gap |d| - s - r         d from the round, s its radius; n = d / |d|
+ *                    rolled r theta_tip + s theta_seat - (r + s) atan2(d_y, d_x) */
+#include "equations/newton/contact-geometry.h"
+
+#include <float.h>
+#include <math.h>
+
+#include "law/build.h"
+
+/* rad: an edge that looks along an axis of its body to within this does so. */
+#define ALONG_AXIS 1e-12
+
+static TinkerExpression *copy(const TinkerExpression *expression)
+{
+    return tinker_expression_ref(expression);
+}
+
+static TinkerExpression *state_of(const TinkerEquationWriter *writer, TinkerBlockId body, const char *quantity)
+{
+    g_autofree char *name = g_strconcat(tinker_scene_block_name(writer->scene, body), ".", quantity, NULL);
+    return tinker_expression_symbol(name);
+}
+
+const char *tinker_contact_name(TinkerEquationWriter *writer, const TinkerContactForce *contact, const char *stem,
+                                const char *component)
+{
+    if (contact->index == NULL) return tinker_writer_name(writer, contact->seat, stem, 0, component);
+    return tinker_equations_free_name(writer->equations, contact->seat, stem, contact->index, 0, component);
+}
+
+static TinkerExpression *across(TinkerExpression *const direction[2], const TinkerExpression *x,
+                                const TinkerExpression *y)
+{
+    return tinker_expression_plus(tinker_expression_times(copy(direction[0]), copy(x)),
+                                  tinker_expression_times(copy(direction[1]), copy(y)));
+}
+
+/* The two blocks --------------------------------------------------------------------------------------------------- */
+
+static void touching_init(TinkerEquationWriter *writer, TinkerBlockId block, TinkerTouching *touching)
+{
+    const TinkerBodyEquation *body = g_hash_table_lookup(writer->body_of, GINT_TO_POINTER(block));
+    *touching = (TinkerTouching){0};
+    if (body == NULL) {
+        tinker_writer_centre(writer, block, &touching->point);
+        touching->turns = !tinker_expression_is_number(touching->point.rate, 0);
+        return;
+    }
+    touching->turns = body->inertia != NULL;
+    touching->point =
+        (TinkerPointSymbols){.block = block,
+                             .x = state_of(writer, block, "x"),
+                             .y = state_of(writer, block, "y"),
+                             .vx = state_of(writer, block, "vx"),
+                             .vy = state_of(writer, block, "vy"),
+                             .angle = touching->turns ? state_of(writer, block, "angle") : tinker_expression_number(0),
+                             .rate = touching->turns ? state_of(writer, block, "rate") : tinker_expression_number(0)};
+}
+
+static void touching_clear(TinkerTouching *touching)
+{
+    tinker_point_symbols_clear(&touching->point);
+    g_clear_pointer(&touching->radius, tinker_expression_unref);
+}
+
+/* The names of an arm and of its parts in the axes of the block. */
+typedef struct {
+    const char *local[2], *arm;
+} ArmNames;
+
+/* The arm to a place of a block, `own` in its own axes; nothing at its centre. */
+static void add_arm(TinkerEquationWriter *writer, const TinkerContactForce *contact, TinkerTouching *touching,
+                    const ArmNames *names, const double own[2], double rounding)
+{
+    static const char *const components[] = {"x", "y"};
+    const TinkerExpression *angle = touching->point.angle;
+    TinkerExpression *local[2], *arm[2];
+    if (own[0] == 0 && own[1] == 0) return;
+    for (int k = 0; k < 2; k++) {
+        local[k] =
+            tinker_writer_symbol(writer, tinker_contact_name(writer, contact, names->local[k], NULL), contact->seat,
+                                 own[k], tinker_length_dimension, NULL, "where it touches, in the body's axes");
+        tinker_equations_set_rounding(writer->equations, local[k]->name, rounding);
+    }
+    if (tinker_expression_is_number(angle, 0)) {
+        touching->point.arm_x = local[0];
+        touching->point.arm_y = local[1];
+        return;
+    }
+    arm[0] =
+        tinker_expression_minus(tinker_expression_times(copy(local[0]), tinker_expression_call("cos", copy(angle))),
+                                tinker_expression_times(copy(local[1]), tinker_expression_call("sin", copy(angle))));
+    arm[1] = tinker_expression_plus(tinker_expression_times(local[0], tinker_expression_call("sin", copy(angle))),
+                                    tinker_expression_times(local[1], tinker_expression_call("cos", copy(angle))));
+    for (int k = 0; k < 2; k++)
+        arm[k] =
+            tinker_writer_define(writer, tinker_contact_name(writer, contact, names->arm, components[k]), contact->seat,
+                                 tinker_length_dimension, "arm from the centre of mass", arm[k], FALSE);
+    touching->point.arm_x = arm[0];
+    touching->point.arm_y = arm[1];
+}
+
+/* A place in the axes of a shape, in those of its block: a mass has no angle, and its shape one that stays. */
+static void in_block_axes(const TinkerTouching *touching, double angle, const double place[2], double own[2])
+{
+    const gboolean stays = tinker_expression_is_number(touching->point.angle, 0);
+    const double c = stays ? cos(angle) : 1, s = stays ? sin(angle) : 0;
+    own[0] = c * place[0] - s * place[1];
+    own[1] = s * place[0] + c * place[1];
+}
+
+static double rounding_of(const TinkerEquationWriter *writer, const TinkerContactForce *contact)
+{
+    return DBL_EPSILON * (hypot(contact->at[0], contact->at[1]) + writer->extent);
+}
+
+/* The tip
+ * -------------------------------------------------------------------------------------------------------------- */
+
+/* Where a corner lies, in the axes of its block. */
+static void corner_of(const TinkerEquationWriter *writer, const TinkerContactForce *contact, const TinkerTouching *tip,
+                      double own[2])
+{
+    const TinkerTouch *touch = contact->touch;
+    if (touch != NULL) {
+        in_block_axes(tip, touch->angle[touch->gap.tip_of], touch->gap.tip, own);
+        return;
+    }
+    const TinkerBodySample *at = tinker_model_state_body(writer->state, contact->tip);
+    const double c = cos(at->orientation), s = sin(at->orientation);
+    const double rx = contact->at[0] - at->x, ry = contact->at[1] - at->y;
+    own[0] = c * rx + s * ry;
+    own[1] = c * ry - s * rx;
+}
+
+static void add_tip(TinkerEquationWriter *writer, const TinkerContactForce *contact, TinkerTouching *tip)
+{
+    static const ArmNames names = {{"ax", "ay"}, "r"};
+    double own[2] = {0, 0};
+    touching_init(writer, contact->tip, tip);
+    if (contact->shape == TINKER_TOUCHES_AS_DISC)
+        tip->radius = tinker_writer_meaning(writer, contact->tip, TINKER_MEANING_RADIUS, 0, "R");
+    if (contact->shape == TINKER_TOUCHES_AT_CORNER) corner_of(writer, contact, tip, own);
+    add_arm(writer, contact, tip, &names, own, rounding_of(writer, contact));
+}
+
+/* The seat
+ * ------------------------------------------------------------------------------------------------------------- */
+
+static TinkerExpression *half(TinkerExpression *height)
+{
+    return tinker_expression_over(height, tinker_expression_number(2));
+}
+
+/* A number of an edge: the symbol that a contact before this one has for it, or a new one. */
+static TinkerExpression *edge_symbol(TinkerEquationWriter *writer, TinkerBlockId block, const char *stem, double value,
+                                     TinkerDimension dimension, const char *means, double rounding)
+{
+    const GPtrArray *symbols = writer->equations->symbols;
+    g_autoptr(GString) index = g_string_new(tinker_writer_index(writer, block));
+    int others = 0;
+    for (guint i = 0; i < symbols->len; i++) {
+        const TinkerEquationSymbol *each = g_ptr_array_index(symbols, i);
+        if (each->block != block || g_strcmp0(each->quantity, means) != 0) continue;
+        if (each->value == value) return tinker_expression_symbol(each->name);
+        others++;
+    }
+    if (others > 0) g_string_append_printf(index, "%s%d", index->len > 0 ? "," : "", others + 1);
+    const char *name = tinker_equations_free_name(writer->equations, block, stem, index->str, 0, NULL);
+    tinker_equations_set_rounding(writer->equations, name, rounding);
+    return tinker_writer_symbol(writer, name, block, value, dimension, NULL, means);
+}
+
+/* A unit vector that turns with a block, `direction` (rad) from its own x axis. */
+static void turned(TinkerEquationWriter *writer, const TinkerContactForce *contact, const TinkerExpression *angle,
+                   double direction, TinkerExpression *vector[2])
+{
+    const double quarter = round(direction / G_PI_2);
+    const gboolean along_axis = fabs(direction - quarter * G_PI_2) <= ALONG_AXIS;
+    if (along_axis && tinker_expression_is_number(angle, 0)) {
+        vector[0] = tinker_expression_number(round(cos(direction)));
+        vector[1] = tinker_expression_number(round(sin(direction)));
+        return;
+    }
+    TinkerExpression *of = copy(angle);
+    if (!along_axis) {
+        of = tinker_expression_plus(of, edge_symbol(writer, contact->seat, "β", direction, tinker_angle_dimension,
+                                                    "direction across its edge", DBL_EPSILON * G_PI));
+    }
+    TinkerExpression *c = tinker_expression_call("cos", copy(of)), *s = tinker_expression_call("sin", of);
+    switch (along_axis ? (int)quarter & 3 : 0) {
+    case 0:
+        vector[0] = c;
+        vector[1] = s;
+        return;
+    case 1:
+        vector[0] = tinker_expression_negated(s);
+        vector[1] = c;
+        return;
+    case 2:
+        vector[0] = tinker_expression_negated(c);
+        vector[1] = tinker_expression_negated(s);
+        return;
+    default:
+        vector[0] = s;
+        vector[1] = tinker_expression_negated(c);
+    }
+}
+
+static void add_top(TinkerEquationWriter *writer, const TinkerContactForce *contact, TinkerContactGeometry *geometry)
+{
+    turned(writer, contact, geometry->seat.point.angle, G_PI_2, geometry->normal);
+    geometry->off = half(tinker_writer_meaning(writer, contact->seat, TINKER_MEANING_HEIGHT, 0, "H"));
+    if (contact->shape == TINKER_TOUCHES_AS_MASS)
+        geometry->off = tinker_expression_plus(
+            geometry->off, half(tinker_writer_meaning(writer, contact->tip, TINKER_MEANING_HEIGHT, 0, "h")));
+}
+
+static void add_edge(TinkerEquationWriter *writer, const TinkerContactForce *contact, TinkerContactGeometry *geometry)
+{
+    const TinkerGapFunction *gap = &contact->touch->gap;
+    double n[2];
+    in_block_axes(&geometry->seat, contact->touch->angle[1 - gap->tip_of], gap->normal, n);
+    turned(writer, contact, geometry->seat.point.angle, atan2(n[1], n[0]), geometry->normal);
+    geometry->off =
+        edge_symbol(writer, contact->seat, "h", gap->normal[0] * gap->seat[0] + gap->normal[1] * gap->seat[1],
+                    tinker_length_dimension, "from its centre to its edge", rounding_of(writer, contact));
+}
+
+static void add_round(TinkerEquationWriter *writer, const TinkerContactForce *contact, TinkerContactGeometry *geometry)
+{
+    static const ArmNames names = {{"bx", "by"}, "q"};
+    const TinkerGapFunction *gap = &contact->touch->gap;
+    TinkerTouching *seat = &geometry->seat;
+    double own[2];
+    if (gap->seat_radius > 0)
+        seat->radius = tinker_writer_meaning(writer, contact->seat, TINKER_MEANING_RADIUS, 0, "R");
+    in_block_axes(seat, contact->touch->angle[1 - gap->tip_of], gap->seat, own);
+    add_arm(writer, contact, seat, &names, own, rounding_of(writer, contact));
+    if (seat->point.arm_x != NULL) {
+        geometry->dx = tinker_expression_minus(geometry->dx, copy(seat->point.arm_x));
+        geometry->dy = tinker_expression_minus(geometry->dy, copy(seat->point.arm_y));
+    }
+    TinkerExpression *square = tinker_expression_plus(tinker_expression_squared(copy(geometry->dx)),
+                                                      tinker_expression_squared(copy(geometry->dy)));
+    const char *name = tinker_contact_name(writer, contact, "d", NULL);
+    geometry->distance =
+        tinker_writer_define(writer, name, contact->seat, tinker_length_dimension, "distance of what touches",
+                             tinker_expression_call("sqrt", square), FALSE);
+    geometry->normal[0] = tinker_expression_over(copy(geometry->dx), copy(geometry->distance));
+    geometry->normal[1] = tinker_expression_over(copy(geometry->dy), copy(geometry->distance));
+}
+
+/* Both
+ * ----------------------------------------------------------------------------------------------------------------- */
+
+gboolean tinker_contact_is_on_top(const TinkerEquationWriter *writer, const TinkerContactForce *contact)
+{
+    return tinker_block_class_stands(tinker_scene_block_class(writer->scene, contact->seat)) &&
+           (contact->touch == NULL || !contact->touch->gap.round);
+}
+
+void tinker_contact_geometry_init(TinkerEquationWriter *writer, const TinkerContactForce *contact,
+                                  TinkerContactGeometry *geometry)
+{
+    *geometry = (TinkerContactGeometry){0};
+    touching_init(writer, contact->seat, &geometry->seat);
+    add_tip(writer, contact, &geometry->tip);
+    const TinkerPointSymbols *tip = &geometry->tip.point, *seat = &geometry->seat.point;
+    geometry->dx = tinker_expression_minus(copy(tip->x), copy(seat->x));
+    geometry->dy = tinker_expression_minus(copy(tip->y), copy(seat->y));
+    if (tip->arm_x != NULL) {
+        geometry->dx = tinker_expression_plus(geometry->dx, copy(tip->arm_x));
+        geometry->dy = tinker_expression_plus(geometry->dy, copy(tip->arm_y));
+    }
+    if (tinker_contact_is_on_top(writer, contact))
+        add_top(writer, contact, geometry);
+    else if (contact->touch->gap.round)
+        add_round(writer, contact, geometry);
+    else
+        add_edge(writer, contact, geometry);
+}
+
+void tinker_contact_geometry_clear(TinkerContactGeometry *geometry)
+{
+    TinkerExpression *const parts[] = {geometry->normal[0], geometry->normal[1], geometry->dx, geometry->dy};
+    touching_clear(&geometry->tip);
+    touching_clear(&geometry->seat);
+    for (gsize i = 0; i < G_N_ELEMENTS(parts); i++)
+        tinker_expression_unref(parts[i]);
+    g_clear_pointer(&geometry->off, tinker_expression_unref);
+    g_clear_pointer(&geometry->distance, tinker_expression_unref);
+}
+
+TinkerExpression *tinker_contact_gap(const TinkerContactGeometry *geometry)
+{
+    const TinkerTouching *tip = &geometry->tip, *seat = &geometry->seat;
+    TinkerExpression *gap, *radii = tinker_expression_number(0);
+    if (geometry->distance != NULL) {
+        gap = copy(geometry->distance);
+        if (seat->radius != NULL) radii = copy(seat->radius);
+    } else {
+        gap = across(geometry->normal, geometry->dx, geometry->dy);
+        radii = tinker_expression_plus(radii, copy(geometry->off));
+    }
+    if (tip->radius != NULL) radii = tinker_expression_plus(radii, copy(tip->radius));
+    return tinker_expression_minus(gap, radii);
+}
+
+TinkerExpression *tinker_contact_along(const TinkerContactGeometry *geometry)
+{
+    return tinker_expression_minus(tinker_expression_times(copy(geometry->normal[1]), copy(geometry->dx)),
+                                   tinker_expression_times(copy(geometry->normal[0]), copy(geometry->dy)));
+}
+
+static TinkerExpression *turn_of(const TinkerTouching *touching, TinkerExpression *radius)
+{
+    return tinker_expression_times(radius, copy(touching->point.angle));
+}
+
+TinkerExpression *tinker_contact_rolled(const TinkerContactGeometry *geometry)
+{
+    const TinkerTouching *tip = &geometry->tip, *seat = &geometry->seat;
+    if (geometry->distance == NULL) {
+        TinkerExpression *along = tinker_contact_along(geometry);
+        if (tip->radius == NULL) return along;
+        TinkerExpression *angle = copy(tip->point.angle);
+        if (seat->turns) angle = tinker_expression_minus(angle, copy(seat->point.angle));
+        return tinker_expression_plus(along, tinker_expression_times(copy(tip->radius), angle));
+    }
+    TinkerExpression *radii = tinker_expression_number(0), *rolled = tinker_expression_number(0);
+    if (tip->radius == NULL && seat->radius == NULL) {
+        tinker_expression_unref(radii);
+        tinker_expression_unref(rolled);
+        return NULL;
+    }
+    for (int k = 0; k < 2; k++) {
+        const TinkerTouching *of = k == 0 ? tip : seat;
+        if (of->radius == NULL) continue;
+        radii = tinker_expression_plus(radii, copy(of->radius));
+        rolled = tinker_expression_plus(rolled, turn_of(of, copy(of->radius)));
+    }
+    TinkerExpression *const towards[2] = {copy(geometry->dy), copy(geometry->dx)};
+    TinkerExpression *direction = tinker_expression_node(TINKER_EXPRESSION_FUNCTION, "atan2", towards, 2);
+    return tinker_expression_minus(rolled, tinker_expression_times(radii, direction));
+}

@@ -1,0 +1,42 @@
+/* Where two shapes touch, in expressions: what has the tip (a corner, or the centre of a disc), and the seat that it is
+ * on, an edge or a round (physics/shapes/gaps.h). */
+#ifndef TINKER_CORE_CONTACT_GEOMETRY_H
+#define TINKER_CORE_CONTACT_GEOMETRY_H
+
+#include "equations/newton/contact-terms.h"
+
+/* One of the two; expressions are owned. */
+typedef struct {
+    TinkerPointSymbols point; /* its centre, with the arm to a corner that turns with it */
+    gboolean turns;           /* a body that turns, or a support that does */
+    TinkerExpression *radius; /* of a disc; else NULL */
+} TinkerTouching;
+
+typedef struct {
+    TinkerTouching tip, seat;
+    TinkerExpression
+        *normal[2];             /* unit vector, from the seat to the tip; the seat runs along (normal[1], -normal[0]) */
+    TinkerExpression *dx, *dy;  /* to the tip, from the centre of what has the seat; of a round, from that */
+    TinkerExpression *off;      /* of an edge: how far it is from that centre; else NULL, and then */
+    TinkerExpression *distance; /* from the round to the tip */
+} TinkerContactGeometry;
+
+void tinker_contact_geometry_init(TinkerEquationWriter *writer, const TinkerContactForce *contact,
+                                  TinkerContactGeometry *geometry);
+void tinker_contact_geometry_clear(TinkerContactGeometry *geometry);
+
+/* A name for a symbol of a contact. Borrowed from the equations. */
+const char *tinker_contact_name(TinkerEquationWriter *writer, const TinkerContactForce *contact, const char *stem,
+                                const char *component);
+
+/* The gap: 0 where they touch. (transfer full) */
+TinkerExpression *tinker_contact_gap(const TinkerContactGeometry *geometry);
+
+/* The place of the tip along an edge, from the foot of the seat's centre. (transfer full) */
+TinkerExpression *tinker_contact_along(const TinkerContactGeometry *geometry);
+
+/* What stays constant of a contact that sticks: the place along the edge, or how far it has rolled. NULL: a corner on a
+ * corner has neither. (transfer full) */
+TinkerExpression *tinker_contact_rolled(const TinkerContactGeometry *geometry);
+
+#endif
