@@ -119,8 +119,7 @@ static double rounding_of(const TinkerEquationWriter *writer, const TinkerContac
     return DBL_EPSILON * (hypot(contact->at[0], contact->at[1]) + writer->extent);
 }
 
-/* The tip
- * -------------------------------------------------------------------------------------------------------------- */
+/* The tip ---------------------------------------------------------------------------------------------------------- */
 
 /* Where a corner lies, in the axes of its block. */
 static void corner_of(const TinkerEquationWriter *writer, const TinkerContactForce *contact, const TinkerTouching *tip,
@@ -149,8 +148,7 @@ static void add_tip(TinkerEquationWriter *writer, const TinkerContactForce *cont
     add_arm(writer, contact, tip, &names, own, rounding_of(writer, contact));
 }
 
-/* The seat
- * ------------------------------------------------------------------------------------------------------------- */
+/* The seat --------------------------------------------------------------------------------------------------------- */
 
 static TinkerExpression *half(TinkerExpression *height)
 {
@@ -256,8 +254,7 @@ static void add_round(TinkerEquationWriter *writer, const TinkerContactForce *co
     geometry->normal[1] = tinker_expression_over(copy(geometry->dy), copy(geometry->distance));
 }
 
-/* Both
- * ----------------------------------------------------------------------------------------------------------------- */
+/* Both ------------------------------------------------------------------------------------------------------------- */
 
 gboolean tinker_contact_is_on_top(const TinkerEquationWriter *writer, const TinkerContactForce *contact)
 {

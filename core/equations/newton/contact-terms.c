@@ -1,9 +1,13 @@
 /* Contacts: the normal force as the multiplier of the gap, friction as another one where it sticks, as a share of the
- * normal force where it slides. With n, t, h, r and s as in contact-geometry.c, N n + f t acts on what has the tip, at
- * its arm, and friction turns a disc by r f besides; the opposite acts on what has the seat, which
+ * normal force where it slides. With n, t, h, r and s as in contact-geometry.c, N n + f t acts on what has the tip, and
+ * the opposite on what has the seat. About their centres these have moments by their levers; with p and q the arms of
+ * the tip and of a round:
  *
- *     by an edge   h f - N a turns, a = t . d the place along it
- *     by a round   s f turns, besides the moment of the force at the round's arm */
+ *                  of N                of f
+ *     a corner     p x n               p x t = -p . n
+ *     a disc                           r, or s
+ *     an edge      -a, a = t . d       h
+ *     a round      -q x n              q . n */
 #include <float.h>
 #include <math.h>
 
@@ -16,12 +20,17 @@
 /* Of a coefficient of friction: what the run has differs by no more from what the properties say. */
 #define SAME_SHARE 1e-12
 
+/* Moments of the normal force and of friction on a body by their levers (m); NULL: there is none. Owned. */
+typedef struct {
+    TinkerExpression *normal, *friction;
+} Levers;
+
 typedef struct {
     TinkerEquationWriter *writer;
     const TinkerContactForce *contact;
     TinkerContactGeometry geometry;
     TinkerExpression *normal; /* N: the symbol of the normal force */
-    TinkerExpression *along;  /* m: the place along an edge of a body; else NULL */
+    Levers tip, seat;         /* on a top the force at the arm says what it does to the tip's body */
 } Touching;
 
 static TinkerExpression *copy(const TinkerExpression *expression)
@@ -29,8 +38,7 @@ static TinkerExpression *copy(const TinkerExpression *expression)
     return tinker_expression_ref(expression);
 }
 
-/* Rows --------------------------------------------------------------------------------------------------------------
- */
+/* Rows ------------------------------------------------------------------------------------------------------------- */
 
 static double value_of(const Touching *touching, const TinkerExpression *expression)
 {
@@ -41,31 +49,34 @@ static double value_of(const Touching *touching, const TinkerExpression *express
 static void note_slopes(const Touching *touching, gboolean is_along)
 {
     const TinkerContactGeometry *geometry = &touching->geometry;
-    const TinkerTouching *tip = &geometry->tip, *seat = &geometry->seat;
+    const TinkerPointSymbols *arm = &geometry->tip.point;
     const double n[] = {value_of(touching, geometry->normal[0]), value_of(touching, geometry->normal[1])};
     const double x = is_along ? n[1] : n[0], y = is_along ? -n[0] : n[1];
-    double on_tip[] = {x, y, value_of(touching, tip->point.arm_x) * y - value_of(touching, tip->point.arm_y) * x};
-    double on_seat[] = {-x, -y, value_of(touching, seat->point.arm_y) * x - value_of(touching, seat->point.arm_x) * y};
-    if (is_along) {
-        on_tip[2] += value_of(touching, tip->radius);
-        on_seat[2] += value_of(touching, geometry->distance != NULL ? seat->radius : geometry->off);
-    } else {
-        on_seat[2] -= value_of(touching, touching->along);
-    }
+    double on_tip[] = {x, y, value_of(touching, is_along ? touching->tip.friction : touching->tip.normal)};
+    const double on_seat[] = {-x, -y, value_of(touching, is_along ? touching->seat.friction : touching->seat.normal)};
+    if (tinker_contact_is_on_top(touching->writer, touching->contact))
+        on_tip[2] += value_of(touching, arm->arm_x) * y - value_of(touching, arm->arm_y) * x;
     tinker_writer_note_slope(touching->writer, touching->contact->tip, on_tip);
     tinker_writer_note_slope(touching->writer, touching->contact->seat, on_seat);
 }
 
-/* A force on what has the tip, and the opposite on what has the seat; `turning` (NULL: nothing) beside their moments
- * about the places that they act at. All are taken over. */
-static void add_pair(const Touching *touching, TinkerTermKind kind, TinkerExpression *x, TinkerExpression *y,
-                     TinkerExpression *turning_tip, TinkerExpression *turning_seat)
+static TinkerExpression *moment_by(const TinkerExpression *force, const TinkerExpression *lever)
 {
+    return lever != NULL ? tinker_expression_times(copy(force), copy(lever)) : NULL;
+}
+
+/* A force on what has the tip, and the opposite on what has the seat, with the moments (NULL: none) that they have by
+ * their levers. All are taken over. */
+static void add_pair(const Touching *touching, TinkerTermKind kind, TinkerExpression *x, TinkerExpression *y,
+                     TinkerExpression *on_tip, TinkerExpression *on_seat)
+{
+    const TinkerContactForce *contact = touching->contact;
+    const TinkerPointSymbols *tip = &touching->geometry.tip.point, centre = {.block = tip->block},
+                             seat = {.block = touching->geometry.seat.point.block};
+    const gboolean on_top = tinker_contact_is_on_top(touching->writer, contact);
     TinkerExpression *back_x = tinker_expression_negated(copy(x)), *back_y = tinker_expression_negated(copy(y));
-    tinker_writer_add_term(touching->writer, &touching->geometry.tip.point, touching->contact->seat, kind, x, y,
-                           turning_tip);
-    tinker_writer_add_term(touching->writer, &touching->geometry.seat.point, touching->contact->tip, kind, back_x,
-                           back_y, turning_seat);
+    tinker_writer_add_term(touching->writer, on_top ? tip : &centre, contact->seat, kind, x, y, on_tip);
+    tinker_writer_add_term(touching->writer, &seat, contact->tip, kind, back_x, back_y, on_seat);
 }
 
 static void add_normal(Touching *touching)
@@ -74,32 +85,92 @@ static void add_normal(Touching *touching)
     const TinkerContactGeometry *geometry = &touching->geometry;
     TinkerEquationWriter *writer = touching->writer;
     const char *name = tinker_contact_name(writer, contact, "N", NULL);
-    touching->normal = tinker_writer_symbol(writer, name, contact->seat, contact->normal, tinker_force_dimension, NULL,
-                                            "normal force");
+    TinkerExpression *force = tinker_writer_symbol(writer, name, contact->seat, contact->normal, tinker_force_dimension,
+                                                   NULL, "normal force");
     tinker_writer_add_row(writer, contact->seat, tinker_contact_gap(geometry), tinker_length_dimension, name, TRUE);
     note_slopes(touching, FALSE);
-    TinkerExpression *turning =
-        touching->along != NULL
-            ? tinker_expression_negated(tinker_expression_times(copy(touching->normal), copy(touching->along)))
-            : NULL;
-    add_pair(touching, TINKER_TERM_NORMAL, tinker_expression_times(copy(touching->normal), copy(geometry->normal[0])),
-             tinker_expression_times(copy(touching->normal), copy(geometry->normal[1])), NULL, turning);
+    add_pair(touching, TINKER_TERM_NORMAL, tinker_expression_times(copy(force), copy(geometry->normal[0])),
+             tinker_expression_times(copy(force), copy(geometry->normal[1])), moment_by(force, touching->tip.normal),
+             moment_by(force, touching->seat.normal));
+    touching->normal = force;
 }
 
-/* Friction
- * ------------------------------------------------------------------------------------------------------------- */
+/* Levers ----------------------------------------------------------------------------------------------------------- */
+
+static TinkerExpression *define_lever(const Touching *touching, const char *stem, const char *means,
+                                      TinkerExpression *is)
+{
+    const char *name = tinker_contact_name(touching->writer, touching->contact, stem, NULL);
+    return tinker_writer_define(touching->writer, name, touching->contact->seat, tinker_length_dimension, means, is,
+                                FALSE);
+}
+
+/* a x n. */
+static TinkerExpression *arm_across(const TinkerPointSymbols *arm, TinkerExpression *const n[2])
+{
+    return tinker_expression_minus(tinker_expression_times(copy(arm->arm_x), copy(n[1])),
+                                   tinker_expression_times(copy(arm->arm_y), copy(n[0])));
+}
+
+/* a . n. */
+static TinkerExpression *arm_along(const TinkerPointSymbols *arm, TinkerExpression *const n[2])
+{
+    return tinker_expression_plus(tinker_expression_times(copy(arm->arm_x), copy(n[0])),
+                                  tinker_expression_times(copy(arm->arm_y), copy(n[1])));
+}
+
+static void add_levers_of_tip(Touching *touching)
+{
+    const TinkerContactGeometry *geometry = &touching->geometry;
+    const TinkerPointSymbols *arm = &geometry->tip.point;
+    TinkerExpression *const *n = geometry->normal;
+    Levers *levers = &touching->tip;
+    if (geometry->tip.radius != NULL) levers->friction = copy(geometry->tip.radius);
+    if (arm->block < 0 || arm->arm_x == NULL || tinker_contact_is_on_top(touching->writer, touching->contact)) return;
+    levers->normal = define_lever(touching, "b", "lever of the normal force", arm_across(arm, n));
+    TinkerExpression *back = tinker_expression_negated(tinker_expression_times(copy(arm->arm_x), copy(n[0])));
+    levers->friction =
+        define_lever(touching, "c", "lever of friction",
+                     tinker_expression_minus(back, tinker_expression_times(copy(arm->arm_y), copy(n[1]))));
+}
+
+static void add_levers_of_seat(Touching *touching)
+{
+    const TinkerContactGeometry *geometry = &touching->geometry;
+    const TinkerPointSymbols *arm = &geometry->seat.point;
+    Levers *levers = &touching->seat;
+    if (arm->block < 0) return;
+    if (geometry->distance == NULL) {
+        TinkerExpression *along = define_lever(touching, "a", "place along its edge", tinker_contact_along(geometry));
+        levers->normal = tinker_expression_negated(along);
+        levers->friction = copy(geometry->off);
+    } else if (arm->arm_x != NULL) {
+        TinkerExpression *across =
+            define_lever(touching, "a", "lever of the normal force", arm_across(arm, geometry->normal));
+        levers->normal = tinker_expression_negated(across);
+        levers->friction = define_lever(touching, "h", "lever of friction", arm_along(arm, geometry->normal));
+    } else if (geometry->seat.radius != NULL) {
+        levers->friction = copy(geometry->seat.radius);
+    }
+}
+
+static void levers_clear(Levers *levers)
+{
+    g_clear_pointer(&levers->normal, tinker_expression_unref);
+    g_clear_pointer(&levers->friction, tinker_expression_unref);
+}
+
+/* Friction --------------------------------------------------------------------------------------------------------- */
 
 /* Takes the force (N, along t on what has the tip) over. */
 static void add_friction_terms(const Touching *touching, TinkerExpression *force)
 {
     const TinkerContactGeometry *geometry = &touching->geometry;
-    const TinkerExpression *of_tip = geometry->tip.radius,
-                           *of_seat = geometry->distance != NULL ? geometry->seat.radius : geometry->off;
-    TinkerExpression *turning_tip = of_tip != NULL ? tinker_expression_times(copy(force), copy(of_tip)) : NULL;
-    TinkerExpression *turning_seat = of_seat != NULL ? tinker_expression_times(copy(force), copy(of_seat)) : NULL;
+    TinkerExpression *on_tip = moment_by(force, touching->tip.friction),
+                     *on_seat = moment_by(force, touching->seat.friction);
     TinkerExpression *x = tinker_expression_times(copy(force), copy(geometry->normal[1]));
     TinkerExpression *y = tinker_expression_negated(tinker_expression_times(force, copy(geometry->normal[0])));
-    add_pair(touching, TINKER_TERM_FRICTION, x, y, turning_tip, turning_seat);
+    add_pair(touching, TINKER_TERM_FRICTION, x, y, on_tip, on_seat);
 }
 
 static double coefficient_of(const TinkerEquationWriter *writer, TinkerBlockId block, int32_t meaning)
@@ -255,16 +326,6 @@ static void add_moment(const Touching *touching)
     add_pair(touching, TINKER_TERM_FRICTION, tinker_expression_number(0), tinker_expression_number(0), moment, back);
 }
 
-/* The place along an edge of a body, about whose centre the normal force turns that. */
-static TinkerExpression *define_along(TinkerEquationWriter *writer, const TinkerContactForce *contact,
-                                      const TinkerContactGeometry *geometry)
-{
-    if (geometry->seat.point.block < 0 || geometry->distance != NULL) return NULL;
-    const char *name = tinker_contact_name(writer, contact, "a", NULL);
-    return tinker_writer_define(writer, name, contact->seat, tinker_length_dimension, "place along its edge",
-                                tinker_contact_along(geometry), FALSE);
-}
-
 static gboolean resists_rolling(const TinkerEquationWriter *writer, const TinkerContactForce *contact)
 {
     return coefficient_of(writer, contact->tip, TINKER_MEANING_ROLLING_RESISTANCE) > 0 ||
@@ -275,11 +336,13 @@ void tinker_writer_add_contact(TinkerEquationWriter *writer, const TinkerContact
 {
     Touching touching = {.writer = writer, .contact = contact};
     tinker_contact_geometry_init(writer, contact, &touching.geometry);
-    touching.along = define_along(writer, contact, &touching.geometry);
+    add_levers_of_tip(&touching);
+    add_levers_of_seat(&touching);
     add_normal(&touching);
     add_friction(&touching);
     if (resists_rolling(writer, contact)) add_moment(&touching);
     tinker_expression_unref(touching.normal);
-    g_clear_pointer(&touching.along, tinker_expression_unref);
+    levers_clear(&touching.tip);
+    levers_clear(&touching.seat);
     tinker_contact_geometry_clear(&touching.geometry);
 }

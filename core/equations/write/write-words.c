@@ -44,6 +44,8 @@ static const char *const words[] = {
     NC_("equations", "its velocity"),
     NC_("equations", "its waveform is a table"),
     NC_("equations", "length along the ends"),
+    NC_("equations", "lever of friction"),
+    NC_("equations", "lever of the normal force"),
     NC_("equations", "minus its tension"),
     NC_("equations", "moment against rolling"),
     NC_("equations", "multiplier"),
