@@ -21,6 +21,9 @@ void tinker_page_heading(TinkerPage *page, const char *heading);
 /* left = right, and what it is; all are taken over. `comment` is plain text, and may be NULL. */
 void tinker_page_equation(TinkerPage *page, char *left, char *right, char *comment);
 
+/* left = right, of which the summands may stand in several lines; `left` and `comment` are taken over. */
+void tinker_page_equals(TinkerPage *page, char *left, const TinkerExpression *right, char *comment);
+
 /* Equations as lines of a page, in place of its text; page-lines.c. A sum has its terms added one by one. */
 GPtrArray *tinker_page_lines_new(void);
 void tinker_page_line_heading(TinkerPage *page, const char *heading);

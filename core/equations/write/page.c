@@ -214,6 +214,17 @@ void tinker_page_equation(TinkerPage *page, char *left, char *right, char *comme
         g_ptr_array_add(page->rows, parts[i]);
 }
 
+void tinker_page_equals(TinkerPage *page, char *left, const TinkerExpression *right, char *comment)
+{
+    if (page->lines == NULL || right->kind != TINKER_EXPRESSION_SUM) {
+        tinker_page_equation(page, left, tinker_page_expression(page, right), comment);
+        return;
+    }
+    tinker_page_line_sum(page, left, -1, comment);
+    for (int i = 0; i < right->count; i++)
+        tinker_page_line_term(page, page->about, TINKER_TERM_FORCE, right->parts[i]);
+}
+
 char *tinker_page_end(TinkerPage *page)
 {
     flush(page);

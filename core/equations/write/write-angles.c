@@ -35,9 +35,9 @@ static void write_lengths(TinkerPage *page, const TinkerAngleForm *form, GHashTa
         const TinkerEquationDefinition *length = g_ptr_array_index(form->lengths, i);
         tinker_equations_mark(page->equations, length->is, needed);
         page->about = length->block;
-        tinker_page_equation(page, tinker_page_symbol(page, length->name), tinker_page_expression(page, length->is),
-                             g_strdup_printf("%s: %s", tinker_scene_block_name(page->equations->scene, length->block),
-                                             tinker_page_words(length->means)));
+        tinker_page_equals(page, tinker_page_symbol(page, length->name), length->is,
+                           g_strdup_printf("%s: %s", tinker_scene_block_name(page->equations->scene, length->block),
+                                           tinker_page_words(length->means)));
         tinker_page_equation(page, tinker_page_symbol(page, length->name),
                              tinker_page_quantity(page, length->value, length->dimension), NULL);
     }
@@ -56,9 +56,8 @@ void tinker_equations_put_angles(TinkerPage *page, const TinkerAngleForm *form, 
     if (form->definitions->len > 0) tinker_page_heading(page, C_("equations", "moved by"));
     for (guint i = 0; i < form->definitions->len; i++) {
         const TinkerEquationDefinition *definition = g_ptr_array_index(form->definitions, i);
-        tinker_page_equation(page, tinker_page_symbol(page, definition->name),
-                             tinker_page_expression(page, definition->is),
-                             g_strdup(tinker_page_words(definition->means)));
+        tinker_page_equals(page, tinker_page_symbol(page, definition->name), definition->is,
+                           g_strdup(tinker_page_words(definition->means)));
     }
     tinker_page_names(page, needed);
     for (guint i = 0; i < form->definitions->len; i++) {

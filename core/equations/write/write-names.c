@@ -39,8 +39,7 @@ static void write_laws(TinkerPage *page, GHashTable *needed)
         first = FALSE;
         page->about = definition->block;
         char *comment = comment_of(equations, definition);
-        tinker_page_equation(page, tinker_page_symbol(page, definition->name),
-                             tinker_page_expression(page, definition->is), comment);
+        tinker_page_equals(page, tinker_page_symbol(page, definition->name), definition->is, comment);
     }
 }
 

@@ -204,8 +204,7 @@ static void write_constraints(TinkerPage *page, GHashTable *needed)
         first = FALSE;
         g_autoptr(TinkerExpression) zero = tinker_expression_number(0);
         page->about = row->block;
-        tinker_page_equation(page, tinker_page_expression(page, zero), tinker_page_expression(page, row->g),
-                             held_by(page, row));
+        tinker_page_equals(page, tinker_page_expression(page, zero), row->g, held_by(page, row));
     }
 }
 
