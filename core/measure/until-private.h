@@ -13,8 +13,9 @@ typedef struct {
     TinkerFormula *left, *right; /* of a root; a comparison is `left` */
     char *event, *block;         /* block NULL: any */
     /* While a run goes on */
-    int side;      /* sign of a root's difference when it was last not 0; 0: not yet */
-    gboolean idle; /* a comparison has been false */
+    int side;       /* sign of a root's difference when it was last not 0; 0: not yet */
+    double largest; /* that either side of a root was */
+    gboolean idle;  /* a comparison has been false */
 } UntilCondition;
 
 struct _TinkerUntil {

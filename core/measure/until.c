@@ -1,6 +1,7 @@
 /* A run is deterministic, and sampling it changes no step. So it is run once with samples at even spacing, up to the
  * first between which a condition came to hold; then again with samples between these two, until they are as near to
  * each other as wanted. Events have their exact times from the run. */
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -13,6 +14,7 @@
 #define MOST_POINTS        10000000
 #define NARROW             1e-11 /* s, or of the time */
 #define MOST_ROUNDS        8
+#define ROUNDING           (4 * DBL_EPSILON) /* of the largest that either side was */
 #define POINTS_BETWEEN     256 /* calls back: a run that is not stepped, as one by "exact", makes none itself */
 
 typedef struct {
@@ -32,8 +34,11 @@ static gboolean comes_to_hold(UntilCondition *condition, double t, const double 
         condition->idle = condition->idle || !holds;
         return now;
     }
-    const double difference = left - tinker_formula_value(condition->right, t, values);
-    const int side = (difference > 0) - (difference < 0), before = condition->side;
+    const double right = tinker_formula_value(condition->right, t, values), difference = left - right;
+    /* what comes to stand still at the same number is apart by rounding, on whichever side */
+    condition->largest = fmax(condition->largest, fmax(fabs(left), fabs(right)));
+    const gboolean equal = fabs(difference) <= ROUNDING * condition->largest;
+    const int side = equal ? 0 : (difference > 0) - (difference < 0), before = condition->side;
     if (side != 0) condition->side = side;
     return before != 0 && side != before;
 }
@@ -132,8 +137,11 @@ gboolean tinker_until_find(TinkerUntil *until, TinkerModel *model, const TinkerR
     const double duration = tinker_options_duration(options);
     gsize count = (gsize)fmin(ceil(POINTS_AN_INTERVAL * duration / options->interval), MOST_POINTS);
     double from = 0, to = duration;
-    for (guint i = 0; i < until->conditions->len; i++)
-        found.events |= g_array_index(until->conditions, UntilCondition, i).kind == UNTIL_EVENT;
+    for (guint i = 0; i < until->conditions->len; i++) {
+        UntilCondition *condition = &g_array_index(until->conditions, UntilCondition, i);
+        found.events |= condition->kind == UNTIL_EVENT;
+        condition->largest = 0; /* of all rounds: the later ones do not see all of the run */
+    }
     for (int round = 0; round < MOST_ROUNDS; round++) {
         g_autoptr(GArray) times = spread(from, to, MAX(count, 1));
         if (!run_once(&found, model, *options, times, error)) return FALSE;

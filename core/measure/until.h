@@ -1,9 +1,9 @@
 /* Conditions that end a run: the time at which the first of them holds.
  *
  * A condition is "A = B", which holds where the difference of two expressions of quantities (formula.h) changes its
- * sign after the start; a comparison, "A < B", which holds once it becomes true, having been false; or "event(KIND)" or
- * "event(KIND, BLOCK)", which is an event of the run. A condition is looked for at eight points an interval: what holds
- * for less time than that may be missed. */
+ * sign after the start, or comes to be 0 to rounding; a comparison, "A < B", which holds once it becomes true, having
+ * been false; or "event(KIND)" or "event(KIND, BLOCK)", which is an event of the run. A condition is looked for at
+ * eight points an interval: what holds for less time than that may be missed. */
 #ifndef TINKER_CORE_UNTIL_H
 #define TINKER_CORE_UNTIL_H
 

@@ -5,6 +5,11 @@
  * along CVODE's polynomial of the step, by Simpson's rule on so many parts as make them all but straight. Where a power
  * is off a straight line by a share d in the middle of a part, Simpson's rule is off by about (d / 6)^2, as long as its
  * fourth derivative is as the square of its second.
+ *
+ * Where velocities hardly change, the step may be as long as the run, and swings of a power that stand still at even
+ * places of it would be missed: there two places that lie unevenly tell whether powers are straight, else a rule of
+ * Gauss and Kronrod is taken over the whole step (R. Piessens et al., QUADPACK, Springer, 1983), and the step is too
+ * long where its two sums differ.
  */
 #include "stepper-private.h"
 
@@ -16,6 +21,20 @@
 #define LOOSER 100.0 /* a step may spend so many times its tolerance on the books */
 /* Orders up to this follow motions that tell nothing of the powers: half a step is looked at, too. */
 #define SIMPLE_ORDER 2
+#define NODES        8     /* of the rule, from the outermost to the middle one; the other half mirrors them */
+#define CANCELS      1e-10 /* of the kinetic energy: less in a step may be rounding of forces that cancel */
+#define SHORTER      0.5   /* where the books are not known well enough */
+#define FAR_BELOW    1e-4  /* of what is let pass: a longer step would do ... */
+#define LONGER       1.5   /* ... by so much */
+
+static const double node[NODES] = {
+    0.991455371120812639, 0.949107912342758525, 0.864864423359769073, 0.741531185599394440,
+    0.586087235467691130, 0.405845151377397167, 0.207784955007898468, 0.0};
+static const double kronrod[NODES] = {0.022935322010529225, 0.063092092629978553, 0.104790010322250184,
+                                      0.140653259715525919, 0.169004726639267903, 0.190350578064785410,
+                                      0.204432940075298892, 0.209482141084727828};
+static const double gauss[NODES] = {0.0, 0.129484966168869693, 0.0, 0.279705391489276668,
+                                    0.0, 0.381830050505118945, 0.0, 0.417959183673469388};
 
 int stepper_books_create(Stepper *stepper)
 {
@@ -77,7 +96,115 @@ static TinkerStatus look_between(Stepper *stepper, double from, double span, int
     return TINKER_OK;
 }
 
-TinkerStatus stepper_books_integrate(Stepper *stepper, double from, double to, const double *power_to, double *books)
+static double largest(int32_t count, const double *x)
+{
+    double most = 0.0;
+    for (int32_t i = 0; i < count; i++)
+        most = fmax(most, fabs(x[i]));
+    return most;
+}
+
+/* The powers at a time within CVODE's last step. */
+static TinkerStatus powers_at(Stepper *stepper, double t, double *powers)
+{
+    const TinkerSystem *system = stepper->system;
+    if (CVodeGetDky(stepper->cvode, t, 0, stepper->weights) != CV_SUCCESS) return TINKER_FAILED;
+    const double *q = N_VGetArrayPointer(stepper->weights);
+    return system->acceleration(system->context, t, q, q + system->size, stepper->work, powers);
+}
+
+/* Adds this rule's integrals to `books`. *off is the most that its two sums differ by, *exchange the most that any
+ * power would give in all of the step. */
+static TinkerStatus add_by_gauss(Stepper *stepper, double from, double to, double *books, double *off, double *exchange)
+{
+    const int32_t count = stepper->system->books;
+    const double middle = 0.5 * (from + to), half = 0.5 * (to - from);
+    double *powers = stepper->powers + count, *differences = powers + count; /* behind those at the start */
+    memset(differences, 0, (size_t)count * sizeof *differences);
+    *exchange = 0.0;
+    for (int k = 0; k < 2 * NODES - 1; k++) {
+        const int of = k < NODES ? k : k - NODES;
+        TinkerStatus status = powers_at(stepper, middle + (k < NODES ? -half : half) * node[of], powers);
+        if (status != TINKER_OK) return status;
+        for (int32_t i = 0; i < count; i++) {
+            books[i] += half * kronrod[of] * powers[i];
+            differences[i] += half * (kronrod[of] - gauss[of]) * powers[i];
+        }
+        *exchange = fmax(*exchange, 2.0 * half * largest(count, powers));
+    }
+    *off = largest(count, differences);
+    return TINKER_OK;
+}
+
+/* m/s: what changes its velocity by no more within the step is off by no more than places may be. */
+static double slowest(Stepper *stepper, const double *q, const double *v, double span)
+{
+    double extent = 0.0, speed = 0.0;
+    stepper->system->scales(stepper->system->context, q, v, &extent, &speed);
+    return stepper->tolerance * extent / span;
+}
+
+void stepper_books_look(Stepper *stepper, const TinkerState *state, double to, const double *v, const double *a)
+{
+    double change = 0.0;
+    for (int32_t i = 0; i < stepper->system->size; i++)
+        change = fmax(change, fmax(fabs(v[i] - state->v[i]), fabs(a[i]) * (to - state->t)));
+    stepper->slowest = slowest(stepper, state->q, state->v, to - state->t);
+    stepper->even = change <= LOOSER * stepper->slowest;
+}
+
+/* J: what is at rest, or moves on with nothing to exchange, has powers of rounding. */
+static double rounding(const Stepper *stepper)
+{
+    const TinkerSystem *system = stepper->system;
+    return CANCELS * stepper->energy + largest(system->size, system->mass) * stepper->slowest * stepper->slowest;
+}
+
+/* Whether the powers are all but straight over the step, by two places that lie unevenly in it: then the cubics through
+ * these four are integrated. */
+static TinkerStatus integrate_straight(Stepper *stepper, double from, double to, const double *power_to, double *books,
+                                       int *straight)
+{
+    static const double places[] = {0.381966011250105152, 0.723606797749978970};
+    static const double weights[] = {0.134836165729157742, 0.462090414322895271, 0.287909585677104674,
+                                     0.115163834270842314};
+    const int32_t count = stepper->system->books;
+    const double span = to - from, share = LOOSER * stepper->tolerance, *power_from = stepper->powers;
+    double *within[] = {stepper->powers + count, stepper->powers + 2 * count};
+    for (int k = 0; k < 2; k++) {
+        TinkerStatus status = powers_at(stepper, from + places[k] * span, within[k]);
+        if (status != TINKER_OK) return status;
+    }
+    *straight = 1;
+    for (int32_t i = 0; i < count; i++) {
+        const double size = fmax(fabs(power_from[i]), fabs(power_to[i]));
+        for (int k = 0; k < 2; k++) {
+            const double line = power_from[i] + places[k] * (power_to[i] - power_from[i]);
+            *straight &= span * fabs(within[k][i] - line) <= 6.0 * (sqrt(share) * span * size + rounding(stepper));
+        }
+        books[i] = stepper->books_from[i] + span * (weights[0] * power_from[i] + weights[1] * within[0][i] +
+                                                    weights[2] * within[1][i] + weights[3] * power_to[i]);
+    }
+    return TINKER_OK;
+}
+
+static TinkerStatus integrate_evenly(Stepper *stepper, double from, double to, const double *power_to, double *books)
+{
+    const TinkerSystem *system = stepper->system;
+    const double exchanged = largest(system->books, stepper->books_from);
+    double off = 0.0, exchange = 0.0;
+    int straight = 0;
+    stepper->books_error = 0.0;
+    TinkerStatus status = integrate_straight(stepper, from, to, power_to, books, &straight);
+    if (status != TINKER_OK || straight) return status;
+    memcpy(books, stepper->books_from, (size_t)system->books * sizeof *books);
+    status = add_by_gauss(stepper, from, to, books, &off, &exchange);
+    const double limit = LOOSER * stepper->tolerance * fmax(exchange, exchanged) + rounding(stepper);
+    stepper->books_error = off > 0.0 ? off / limit : 0.0;
+    return status;
+}
+
+static TinkerStatus integrate_by_parts(Stepper *stepper, double from, double to, const double *power_to, double *books)
 {
     const int count = stepper->system->books;
     const double span = to - from;
@@ -99,4 +226,23 @@ TinkerStatus stepper_books_integrate(Stepper *stepper, double from, double to, c
         books[i] = stepper->books_from[i] + span * sum * part / (6.0 * PLACES);
     }
     return TINKER_OK;
+}
+
+TinkerStatus stepper_books_integrate(Stepper *stepper, double from, double to, const double *power_to, double *books)
+{
+    if (stepper->even) return integrate_evenly(stepper, from, to, power_to, books);
+    return integrate_by_parts(stepper, from, to, power_to, books);
+}
+
+int stepper_books_accept(Stepper *stepper, double span)
+{
+    const int known = !stepper->even || stepper->books_error <= 1.0;
+    if (!known)
+        stepper->longest = SHORTER * span;
+    else if (!stepper->even)
+        stepper->longest = 0.0;
+    else if (stepper->books_error < FAR_BELOW)
+        stepper->longest *= LONGER;
+    CVodeSetMaxStep(stepper->cvode, stepper->longest);
+    return known;
 }

@@ -258,12 +258,13 @@ static TinkerStatus keep_books(Stepper *stepper, TinkerState *state, double t)
     TinkerStatus status =
         system->acceleration(system->context, t, q, q + system->size, stepper->work, stepper->power_to);
     if (status != TINKER_OK) return status;
+    stepper_books_look(stepper, state, t, q + system->size, stepper->work);
     return stepper_books_integrate(stepper, state->t, t, stepper->power_to, state->books);
 }
 
 /* Hands the new state to the host, on the rods to the last digit: at a limit it was interpolated over a rounding of t.
- */
-static TinkerStatus commit(Stepper *stepper, TinkerState *state, double t)
+ * *done is 0, and the state as it was, where the books ask for a shorter step. */
+static TinkerStatus commit(Stepper *stepper, TinkerState *state, double t, int *done)
 {
     const TinkerSystem *system = stepper->system;
     size_t n = (size_t)system->size;
@@ -272,6 +273,11 @@ static TinkerStatus commit(Stepper *stepper, TinkerState *state, double t)
     TinkerStatus status = TINKER_OK;
     if (system->flags & TINKER_SYSTEM_CONSTRAINED) status = system->project(system->context, t, q, q + n, &moved);
     if (status == TINKER_OK) status = keep_books(stepper, state, t);
+    *done = status == TINKER_OK && stepper_books_accept(stepper, t - state->t);
+    if (status == TINKER_OK && !*done) {
+        memcpy(state->books, stepper->books_from, (size_t)system->books * sizeof(double));
+        return TINKER_OK;
+    }
     if (status == TINKER_OK) status = note_misses(stepper, state->t, state->q, state->v, stepper->from_misses);
     if (status == TINKER_OK) status = note_misses(stepper, t, q, q + n, stepper->to_misses);
     if (status != TINKER_OK) return status;
@@ -301,10 +307,19 @@ static int history_is_worthless(int flag)
     return flag == CV_ERR_FAILURE || flag == CV_CONV_FAILURE;
 }
 
+/* One trial, which CVODE accepts; answers its flag. */
+static int make_trial(Stepper *stepper, const TinkerState *state, double limit, double *t, TinkerStepReport *report)
+{
+    const int had_history = !stepper->fresh;
+    const int flag = advance(stepper, state, limit, t, report);
+    if (!had_history || !history_is_worthless(flag)) return flag;
+    stepper->fresh = 1;
+    return advance(stepper, state, limit, t, report);
+}
+
 static TinkerStatus step(void *data, TinkerState *state, double limit, TinkerStepReport *report)
 {
     Stepper *stepper = data;
-    double t = state->t;
     report->rejected = 0;
     report->t_from = state->t;
     report->failure = NULL;
@@ -312,18 +327,17 @@ static TinkerStatus step(void *data, TinkerState *state, double limit, TinkerSte
         return fail(stepper, report, "an adaptive step needs a finite limit after the present time");
     stepper->done = 0;
     stepper->from = state->t;
-    const int had_history = !stepper->fresh;
-    int flag = advance(stepper, state, limit, &t, report);
-    if (had_history && history_is_worthless(flag)) {
-        stepper->fresh = 1;
-        flag = advance(stepper, state, limit, &t, report);
+    while (!stepper->done) {
+        double t = state->t;
+        const int flag = make_trial(stepper, state, limit, &t, report);
+        if (flag < 0) return fail_cvode(stepper, report, flag);
+        if (!(t > state->t)) return fail(stepper, report, "the step became shorter than the rounding of t");
+        if (commit(stepper, state, t, &stepper->done) != TINKER_OK) return fail_system(stepper, report);
+        if (!stepper->done) report->rejected++;
+        if (!stepper->done) stepper->fresh = 1;
     }
-    if (flag < 0) return fail_cvode(stepper, report, flag);
-    if (!(t > state->t)) return fail(stepper, report, "the step became shorter than the rounding of t");
-    if (commit(stepper, state, t) != TINKER_OK) return fail_system(stepper, report);
     report->step = state->t - report->t_from;
     report->error = error_of_step(stepper);
-    stepper->done = 1;
     stepper->fresh = stepper_order_watch(stepper);
     return TINKER_OK;
 }

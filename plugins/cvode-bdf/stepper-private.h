@@ -30,9 +30,13 @@ typedef struct Stepper {
 
     /* the books */
     double *books_from, *power_to,
-        *power_within; /* at the start of the last step; powers at its end, at a time within */
-    double *powers;    /* at places within the step, of all books at each */
-    double energy;     /* J: the largest kinetic energy so far */
+        *power_within;  /* at the start of the last step; powers at its end, at a time within */
+    double *powers;     /* at places within the step, of all books at each */
+    double energy;      /* J: the largest kinetic energy so far */
+    int even;           /* velocities hardly changed in the last step ... */
+    double slowest;     /* m/s: ... beside this ... */
+    double books_error; /* ... so that its books tell by themselves what they are off by: of what is let pass */
+    double longest;     /* s: that they let a step be; 0: any */
 
     /* the order */
     int capped;             /* at order 2 */
@@ -88,7 +92,15 @@ void stepper_books_destroy(Stepper *stepper);
  * a small share of it is all that books are asked for. */
 void stepper_books_begin(Stepper *stepper, const TinkerState *state);
 
+/* Before they are integrated over a step from this state: whether velocities hardly change in it, by those at its end
+ * and the accelerations there. */
+void stepper_books_look(Stepper *stepper, const TinkerState *state, double to, const double *v, const double *a);
+
 /* The books at `to`, within the last step that CVODE made from `from`, by the powers there. Uses `weights` for work. */
 TinkerStatus stepper_books_integrate(Stepper *stepper, double from, double to, const double *power_to, double *books);
+
+/* After the books of a step of `span` were integrated: whether they are known well enough. If not, it must be made
+ * again, anew; CVODE then makes no step that is as long. */
+int stepper_books_accept(Stepper *stepper, double span);
 
 #endif

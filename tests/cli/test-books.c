@@ -264,6 +264,31 @@ static void test_pendulum(CliFixture *fixture, gconstpointer data)
     cJSON_Delete(root);
 }
 
+/* A mass at rest, pulled by a damper of c = 0.1 N s/m whose support swings with 20 m/s and w = 2000/s: v' = c (u' - v).
+ * In 100 s that is more often than can be told. */
+static void test_unsettled(CliFixture *fixture, gconstpointer data)
+{
+    static const char scene[] =
+        "{\"tinker\": 1, \"run\": {\"duration\": 100}, \"blocks\": [{\"type\": \"mass\"},"
+        "{\"type\": \"support\", \"name\": \"Shaken\", \"position\": [2, 0], \"solid\": false},"
+        "{\"type\": \"support-motion\", \"ends\": [\"Shaken\"], \"amplitude\": 0.01, \"frequency\": 2000},"
+        "{\"type\": \"damper\", \"name\": \"D\", \"ends\": [\"Mass 0\", \"Shaken\"], \"damping\": 0.1}]}";
+    const double c = 0.1, w = 2000, size = c * 20 / (c * c + w * w), times[] = {0.05, 100};
+    for (int i = 0; i < 2; i++) {
+        const double t = times[i], v = size * (c * cos(w * t) + w * sin(w * t) - c * exp(-c * t));
+        g_autofree char *words = g_strdup_printf("books @scene.json --as json --to %g", t);
+        cJSON *root = json_of(fixture, scene, words);
+        const double unsettled = number_at(root, "unsettled");
+        const double impulse = fabs(number_at(root, "momentum/impulses/D/0") - v) / number_at(root, "momentum/scale");
+        const double work = fabs(number_at(root, "energy/work/D") - v * v / 2) / number_at(root, "energy/scale");
+        g_assert_cmpfloat(fmax(work, impulse), <=, 2 * unsettled + 1e-9);
+        g_assert_true(i == 0 ? unsettled == 0 : unsettled > 1e-7);
+        cJSON_Delete(root);
+    }
+    g_autoptr(TestProgram) text = cli_run_well(fixture, "books @scene.json");
+    cli_assert_holds(text->output, "The sums are known to ");
+}
+
 static void test_pages(CliFixture *fixture, gconstpointer data)
 {
     g_autofree char *path = cli_write(fixture, "scene.json", THROWN);
@@ -582,6 +607,7 @@ int main(int argc, char **argv)
     cli_test_add("/cli/books/bounce-as-impulse", test_bounce_as_impulse);
     cli_test_add("/cli/books/pendulum", test_pendulum);
     cli_test_add("/cli/books/pages", test_pages);
+    cli_test_add("/cli/books/unsettled", test_unsettled);
     cli_test_add("/cli/books/diagram", test_diagram);
     cli_test_add("/cli/books/picture", test_picture);
     cli_test_add("/cli/books/small-picture", test_small_picture);

@@ -77,6 +77,22 @@ static void test_events(void)
     check("dop853", DROP, "{Mass 0.y}*step(t - 0.55) = 0.3", 0.7);
 }
 
+/* What slides to a stop stays there, at 0 but for rounding on whichever side: at v / (mu g). */
+static void test_stop(void)
+{
+    static const char *const methods[] = {"dop853", "dopri5", "cvode-bdf"};
+    static const double speeds[] = {2, 3, -1.7, 0.9};
+    for (gsize m = 0; m < G_N_ELEMENTS(methods); m++)
+        for (gsize i = 0; i < G_N_ELEMENTS(speeds); i++) {
+            g_autofree char *blocks = g_strdup_printf(
+                "{'type': 'gravity', 'acceleration': 10}, {'type': 'support', 'width': 99, 'position': [0, -0.2],"
+                " 'static_friction': 0.3, 'dynamic_friction': 0.3}, {'type': 'box', 'position': [0, 0.1],"
+                " 'height': 0.2, 'width': 2, 'velocity': [%.17g, 0]}",
+                speeds[i]);
+            check(methods[m], blocks, "{Box 0.vx} = 0", fabs(speeds[i]) / 3);
+        }
+}
+
 /* Of several the first that holds, in time and not in order; none is infinitely late. */
 static void test_several(void)
 {
@@ -114,6 +130,7 @@ static void add_tests(void)
     g_test_add_func("/measure/until/roots", test_roots);
     g_test_add_func("/measure/until/comparisons", test_comparisons);
     g_test_add_func("/measure/until/events", test_events);
+    g_test_add_func("/measure/until/stop", test_stop);
     g_test_add_func("/measure/until/several", test_several);
     g_test_add_func("/measure/until/mistakes", test_mistakes);
 }

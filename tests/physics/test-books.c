@@ -164,7 +164,7 @@ static void test_merged_lines(void)
  * of the damper, which takes c A^2 w^2 cos^2(w t) all the same. */
 static void test_held(void)
 {
-    static const char *const methods[] = {"dopri5", "dop853", "rk4"};
+    static const char *const methods[] = {"dopri5", "dop853", "rk4", "cvode-bdf"};
     const double c = 2, speed = 0.2 * 20, t = 5;
     const double taken = -c * speed * speed * (t / 2 + sin(2 * 20 * t) / (4 * 20));
     for (gsize i = 0; i < G_N_ELEMENTS(methods); i++) {
@@ -182,6 +182,37 @@ static void test_held(void)
     }
 }
 
+/* A disc that turns evenly, driven or by its mass alone, with a damper to a support that swings to and fro about it:
+ * the damper takes c (W - A w cos(w t))^2. Times of whole swings stand still wherever they are cut evenly. */
+static void assert_turns_evenly(const char *method, double w, double t, const char *disc, double bound)
+{
+    const double c = 2, swing = 0.2 * w;
+    const double taken = -c * (t - 2 * swing * sin(w * t) / w + swing * swing * (t / 2 + sin(2 * w * t) / (4 * w)));
+    g_autoptr(PhysicsRun) run =
+        physics_run(&(PhysicsOptions){.duration = t, .tolerance = 1e-9, .method = method},
+                    "{'type': 'support', 'solid': false}, {'type': 'support', 'solid': false}, %s,"
+                    "{'type': 'pin', 'ends': ['Support 0', 'Disc 0']}, {'type': 'support-turn', 'ends': ['Support 1'],"
+                    " 'waveform': 'sine', 'amplitude': 0.2, 'frequency': %.17g},"
+                    "{'type': 'torsional-damper', 'ends': ['Disc 0', 'Support 1'], 'damping': 2}",
+                    disc, w);
+    physics_assert_near(method, run->summary->books[TINKER_BOOK_DAMPERS], taken, bound);
+    physics_assert_near("balance error", run->summary->energy_balance_error, 0, BALANCE);
+}
+
+static void test_even(void)
+{
+    static const char *const methods[] = {"dopri5", "dop853", "cvode-bdf"};
+    static const char driven[] = "{'type': 'disc'}, {'type': 'drive', 'ends': ['Disc 0', 'Support 0'], 'speed': 1}";
+    /* its velocity changes by 1e-7 of itself */
+    static const char heavy[] = "{'type': 'disc', 'inertia': 1e7, 'angular_velocity': 1}";
+    for (gsize i = 0; i < G_N_ELEMENTS(methods); i++) {
+        assert_turns_evenly(methods[i], 20, 5, driven, 1e-4);
+        assert_turns_evenly(methods[i], 8 * G_PI, 5, driven, 1e-4);
+        assert_turns_evenly(methods[i], 2 * G_PI, 16, driven, 1e-4);
+        assert_turns_evenly(methods[i], 20, 5, heavy, 1e-3);
+    }
+}
+
 static void add_tests(void)
 {
     g_test_add_func("/physics/books/damper-takes-all", test_damper_takes_all);
@@ -191,6 +222,7 @@ static void add_tests(void)
     g_test_add_func("/physics/books/potential-far-away", test_potential_far_away);
     g_test_add_func("/physics/books/support-motion", test_support_motion);
     g_test_add_func("/physics/books/held", test_held);
+    g_test_add_func("/physics/books/even", test_even);
     g_test_add_func("/physics/books/support-jump", test_support_jump);
     g_test_add_func("/physics/books/lifted-rod", test_lifted_rod);
     g_test_add_func("/physics/books/projection", test_projection);

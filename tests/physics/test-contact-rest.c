@@ -230,6 +230,24 @@ static void test_bears_at_once(void)
     }
 }
 
+/* A box that slides to a stop: what friction leaves of its speeds is 0 or a number that every program reads, and the
+ * kinetic energy, which is the square of that, as well. */
+static void test_no_remainders(void)
+{
+    for (gsize i = 0; i < CONTACT_METHODS; i++) {
+        PhysicsOptions options =
+            contact_options(&contact_methods[i], 1, "Box 0.vx, Box 0.vy, Box 0.angular velocity, Box 0.kinetic energy");
+        g_autoptr(PhysicsRun) run = physics_run(&options, CONTACT_WEIGHT CONTACT_FLOOR
+                                                ", 'static_friction': 0.3, 'dynamic_friction': 0.3},"
+                                                "{'type': 'box', 'mass': 1e-3, 'width': 1e-3, 'height': 1e-3,"
+                                                " 'position': [0, 5e-4], 'velocity': [0.2, 0]}");
+        for (gsize s = 0; s < physics_samples(run); s++)
+            for (gsize column = 0; column < 4; column++)
+                g_assert_cmpint(fpclassify(physics_value(run, s, column)), !=, FP_SUBNORMAL);
+        physics_assert_near("vx", physics_last(run, 0), 0, 1e-15);
+    }
+}
+
 static void add_tests(void)
 {
     g_test_add_func("/physics/contact-rest/drop", test_drop);
@@ -242,6 +260,7 @@ static void add_tests(void)
     g_test_add_func("/physics/contact-rest/threshold", test_threshold);
     g_test_add_func("/physics/contact-rest/static-coefficient", test_static_coefficient);
     g_test_add_func("/physics/contact-rest/bears-at-once", test_bears_at_once);
+    g_test_add_func("/physics/contact-rest/no-remainders", test_no_remainders);
 }
 
 int main(int argc, char **argv)

@@ -139,6 +139,34 @@ static void test_on_a_moving_support(void)
     contact_assert_state(left, "Mass 0", (double[]){0, -0.5, 0, -2}, 1e-12);
 }
 
+/* At the start A parts from the floor with 1 m/s while B comes down on it with 3 m/s. Each blow turns an approach u
+ * into e u between 1 kg and 1 kg, or a floor: the first sample is behind all of them, B on A, A on the floor, A on B.
+ */
+static void test_parting_while_struck(void)
+{
+    static const double restitutions[] = {0.3, 0.5, 0.9};
+    for (gsize r = 0; r < G_N_ELEMENTS(restitutions); r++) {
+        const double e = restitutions[r];
+        double a = 1, b = -3;
+        while (b < a || a < 0) {
+            const double mean = (a + b) / 2, apart = e * (a - b) / 2;
+            if (b < a) a = mean - apart, b = mean + apart;
+            if (a < 0) a = -e * a;
+        }
+        for (gsize i = 0; i < CONTACT_METHODS; i++) {
+            PhysicsOptions options = contact_options(&contact_methods[i], 0.01, "Mass 0.vy, Mass 1.vy");
+            g_autoptr(PhysicsRun) run = physics_run(
+                &options,
+                CONTACT_FLOOR ", 'restitution': %.17g}, {'type': 'mass', 'collides': true, 'restitution': %.17g,"
+                              " 'position': [0, 0.4], 'velocity': [0, 1]}, {'type': 'mass', 'collides': true,"
+                              " 'restitution': %.17g, 'position': [0, 1.2], 'velocity': [0, -3]}",
+                e, e, e);
+            physics_assert_near("A", physics_value(run, 0, 0), a, 1e-14);
+            physics_assert_near("B", physics_value(run, 0, 1), b, 1e-14);
+        }
+    }
+}
+
 static void add_tests(void)
 {
     g_test_add_func("/physics/contact-starts/in-contact", test_in_contact);
@@ -148,6 +176,7 @@ static void add_tests(void)
     g_test_add_func("/physics/contact-starts/creeping", test_creeping);
     g_test_add_func("/physics/contact-starts/on-any-slope", test_on_any_slope);
     g_test_add_func("/physics/contact-starts/on-a-moving-support", test_on_a_moving_support);
+    g_test_add_func("/physics/contact-starts/parting-while-struck", test_parting_while_struck);
 }
 
 int main(int argc, char **argv)

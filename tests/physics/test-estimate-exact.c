@@ -53,6 +53,31 @@ static void test_stiff_apart(void)
     }
 }
 
+/* A mass on a spring and a damper that is let go comes to rest within a second of 1000 s: x = 1 + e^(-n t) (cos w t +
+ * n/w sin w t) / 2 with n = c / 2 m, w^2 = k / m - n^2. The exact steps are as long as what follows, and see nothing of
+ * it. */
+static void test_comes_to_rest(void)
+{
+    static const double intervals[] = {10, 0.5};
+    for (gsize i = 0; i < G_N_ELEMENTS(intervals); i++) {
+        const double c = 9, n = c / 2, w = sqrt(25 - n * n);
+        PhysicsOptions options = {
+            .method = "exact", .duration = 1000, .interval = intervals[i], .columns = "Mass 0.x", .estimate = TRUE};
+        g_autoptr(PhysicsRun) run =
+            physics_run(&options, "{'type': 'support', 'solid': false}, {'type': 'mass', 'position': [1.5, 0]},"
+                                  "{'type': 'spring', 'ends': ['Support 0', 'Mass 0'], 'rest_length': 1},"
+                                  "{'type': 'damper', 'ends': ['Support 0', 'Mass 0'], 'damping': 9}");
+        const double claimed = run->summary->error_estimate;
+        g_assert_true(isinf(run->summary->predictable_until));
+        g_assert_cmpfloat(claimed, <, 1e-8);
+        for (gsize k = 0; k < physics_samples(run); k++) {
+            const double t = physics_time(run, k);
+            physics_assert_near("x", physics_value(run, k, 0), 1 + exp(-n * t) * (cos(w * t) + n / w * sin(w * t)) / 2,
+                                claimed / 2);
+        }
+    }
+}
+
 /* What a run claims, sample by sample. */
 static gboolean keep_claim(TinkerSimulation *simulation, double time, const double *values, void *data, GError **error)
 {
@@ -178,6 +203,7 @@ static void add_tests(void)
 {
     g_test_add_func("/physics/estimate/passing", test_passing);
     g_test_add_func("/physics/estimate/stiff-apart", test_stiff_apart);
+    g_test_add_func("/physics/estimate/comes-to-rest", test_comes_to_rest);
     g_test_add_func("/physics/estimate/exact-then-contact", test_exact_then_contact);
     g_test_add_func("/physics/estimate/between-samples", test_between_samples);
     g_test_add_func("/physics/estimate/wedge", test_wedge);

@@ -52,6 +52,9 @@ void tinker_book_panels_clear(GArray *panels);
 /* The functions at a node of a panel. */
 void tinker_book_panel_take(TinkerBookPanel *panel, int point, const double values[TINKER_BOOK_FUNCTIONS]);
 
+/* How far the panel that is off the most is off, in units of what is allowed. */
+double tinker_book_panels_off(const GArray *panels, const double allowed[TINKER_BOOK_FUNCTIONS]);
+
 /* Makes smaller the panels over which an integral is off by more than `allowed` (of each function), the worst first, as
  * long as there are not more than `most` of them; narrow ones where a function has a jump or a kink. What the panels
  * have taken is forgotten. FALSE: none was made. */

@@ -218,6 +218,14 @@ static gboolean grant(GArray *panels, GArray *wishes, guint most)
     return found;
 }
 
+double tinker_book_panels_off(const GArray *panels, const double allowed[TINKER_BOOK_FUNCTIONS])
+{
+    double off = 0;
+    for (guint i = 0; i < panels->len; i++)
+        off = fmax(off, wish_of(panels, i, allowed).off);
+    return off;
+}
+
 gboolean tinker_book_panels_refine(GArray *panels, const double allowed[TINKER_BOOK_FUNCTIONS], guint most)
 {
     g_autoptr(GArray) wishes = g_array_new(FALSE, FALSE, sizeof(Wish));

@@ -169,13 +169,33 @@ static double change_of(const TinkerBooks *books, const GArray *before)
     return change;
 }
 
+/* What the integrals are allowed to be off by, of each of the functions. */
+static void allow(const TinkerBooks *books, double allowed[TINKER_BOOK_FUNCTIONS])
+{
+    allowed[0] = STANDS_STILL * books->energy.scale;
+    allowed[1] = allowed[2] = STANDS_STILL * books->impulse.scale;
+    allowed[3] = STANDS_STILL * books->moment.scale;
+}
+
+/* Where there may be no more panels: how far the integrals do not stand still, by those of fewer panels, or where there
+ * were none, by the panels themselves. */
+static double unsettled(const TinkerBookKeeper *keeper, const GArray *before)
+{
+    if (keeper->panels->len < MOST_PANELS) return 0;
+    double allowed[TINKER_BOOK_FUNCTIONS];
+    allow(keeper->books, allowed);
+    const double change = before != NULL ? change_of(keeper->books, before)
+                                         : STANDS_STILL * tinker_book_panels_off(keeper->panels, allowed);
+    return change > STANDS_STILL ? change : 0;
+}
+
 /* Whether panels were made smaller: those whose integrals are off, or, where there are none but the integrals do not
  * stand still from fewer panels to these, all that are wide. */
 static gboolean refine(const TinkerBookKeeper *keeper, const GArray *before, int *wide)
 {
     const TinkerBooks *books = keeper->books;
-    const double work = STANDS_STILL * books->energy.scale, impulse = STANDS_STILL * books->impulse.scale;
-    const double allowed[TINKER_BOOK_FUNCTIONS] = {work, impulse, impulse, STANDS_STILL * books->moment.scale};
+    double allowed[TINKER_BOOK_FUNCTIONS];
+    allow(books, allowed);
     if (tinker_book_panels_refine(keeper->panels, allowed, MOST_PANELS)) return TRUE;
     if (change_of(books, before) <= STANDS_STILL) return FALSE;
     while (*wide < MOST_PANELS) {
@@ -196,6 +216,7 @@ static gboolean keep(TinkerBookKeeper *keeper, const TinkerRunOptions *options, 
         keeper->nodes = tinker_book_nodes(from, to, keeper->panels, cuts, jump);
         if (!run(keeper, options, NULL, NULL, error)) return FALSE;
         tinker_book_conclude(keeper);
+        keeper->books->unsettled = unsettled(keeper, before);
         if (!refine(keeper, before, &wide)) return TRUE;
         g_clear_pointer(&before, g_array_unref);
         before = g_array_copy(keeper->books->entries);

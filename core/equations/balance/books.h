@@ -44,6 +44,9 @@ typedef struct {
     double momentum[2][2]; /* kg m/s: at the start, at the end */
     double angular[2];     /* kg m^2/s */
     TinkerBookBalance newton, energy, impulse, moment;
+    /* By how much the integrals still changed when there were as many panels as there may be, relative to the scales:
+     * the forces swing too fast for them. 0: they stand still. */
+    double unsettled;
 } TinkerBooks;
 
 /* The books of bodies (ended by -1) from one time to another of a run with these options, whose samples do not matter.

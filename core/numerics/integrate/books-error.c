@@ -1,6 +1,8 @@
 /* The weights of the embedded methods, applied to the powers as they are to the accelerations. */
 #include "numerics/integrate/books-error.h"
 
+#include <math.h>
+
 #include "numerics/integrate/stepping.h"
 #include "numerics/integrate/tolerances.h"
 #include "numerics/solve/largest.h"
@@ -19,12 +21,29 @@ static double exchange_of(const TinkerSystem *system, const TinkerBooksTrial *tr
     return trial->h * largest;
 }
 
-/* m/s: what moves no faster is off by no more than places may be. */
+/* m/s: what changes its velocity by no more within the step is off by no more than places may be. */
 static double slowest(const TinkerSystem *system, const TinkerBooksTrial *trial)
 {
     double extent = 0.0, speed = 0.0;
     system->scales(system->context, trial->q, trial->v, &extent, &speed);
     return trial->tolerance * extent / trial->h;
+}
+
+/* m/s: the most that a velocity changes by within the step. */
+static double change_of_velocity(const TinkerSystem *system, const TinkerBooksTrial *trial)
+{
+    double largest = 0.0;
+    for (int stage = 0; stage < trial->tableau->stages; stage++)
+        largest = fmax(largest, tinker_largest(system->size, trial->a[stage]));
+    return trial->h * largest;
+}
+
+static double kinetic_energy(const TinkerSystem *system, const double *v)
+{
+    double energy = 0.0;
+    for (int32_t i = 0; i < system->size; i++)
+        energy += 0.5 * system->mass[i] * v[i] * v[i];
+    return energy;
 }
 
 static double error_of_book(const TinkerBooksTrial *trial, int32_t book, double scale)
@@ -43,13 +62,15 @@ static double error_of_book(const TinkerBooksTrial *trial, int32_t book, double 
 
 double tinker_books_error(const TinkerSystem *system, const TinkerBooksTrial *trial)
 {
-    const double slow = slowest(system, trial);
-    if (fmax(tinker_largest(system->size, trial->v0), tinker_largest(system->size, trial->v)) > slow) return 0.0;
+    const double slow = slowest(system, trial), share = TINKER_BOOKS_LOOSER * trial->tolerance;
+    /* a motion that changes by more is itself known well enough for its powers */
+    if (change_of_velocity(system, trial) > TINKER_BOOKS_LOOSER * slow) return 0.0;
     const double exchanged = fmax(tinker_largest(system->books, trial->books0), exchange_of(system, trial));
-    /* what sets out from rest has powers of rounding */
-    const double least = tinker_largest(system->size, system->mass) * slow * slow;
+    /* what sets out from rest, or moves on with nothing to exchange, has powers of rounding */
+    const double least = TINKER_BOOKS_ROUNDING * kinetic_energy(system, trial->v) +
+                         tinker_largest(system->size, system->mass) * slow * slow;
     double largest = 0.0;
     for (int32_t book = 0; book < system->books; book++)
-        largest = fmax(largest, error_of_book(trial, book, TINKER_BOOKS_LOOSER * trial->tolerance * exchanged + least));
+        largest = fmax(largest, error_of_book(trial, book, share * exchanged + least));
     return largest;
 }

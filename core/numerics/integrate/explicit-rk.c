@@ -216,13 +216,18 @@ static double find_error(Stepper *stepper, double h)
     return fmax(along, fmin(TINKER_SQUARE_SHARE * stepper->control.tolerance * error * error, TINKER_MISPLACED));
 }
 
-/* Where nothing moves by more than places may be off by, the error of the motion tells nothing of the books, and they
- * count themselves. */
+/* Where velocities hardly change, the error of the motion tells nothing of the books, and they count themselves. */
 static double find_error_of_books(Stepper *stepper, double h, double error)
 {
     if (!(error <= 1.0) || stepper->system->books == 0) return error;
-    const TinkerBooksTrial trial = {stepper->tableau, stepper->power, h,          stepper->v0,
-                                    stepper->books0,  stepper->q,     stepper->v, stepper->control.tolerance};
+    const TinkerBooksTrial trial = {.tableau = stepper->tableau,
+                                    .a = stepper->a,
+                                    .power = stepper->power,
+                                    .h = h,
+                                    .books0 = stepper->books0,
+                                    .q = stepper->q,
+                                    .v = stepper->v,
+                                    .tolerance = stepper->control.tolerance};
     return fmax(error, tinker_books_error(stepper->system, &trial));
 }
 

@@ -28,9 +28,12 @@
 /* No unit; of the tolerance that one step may spend: errors add up over a run. Held by: numerics-adaptive,
  * physics-accurate-run, physics-redundant-rods, physics-singular. */
 #define TINKER_STEP_SHARE 0.1
-/* No unit; times the tolerance: what one step in which nothing moves may be off by in the books, of what is exchanged.
+/* No unit; times the tolerance: what one step in which velocities hardly change may be off by in the books, of what is
+ * exchanged.
  * Held by: physics-books. */
 #define TINKER_BOOKS_LOOSER 1e3
+/* No unit; of the kinetic energy: less in a step may be rounding of forces that cancel. Held by: -. */
+#define TINKER_BOOKS_ROUNDING 1e-10
 /* No unit; of the tolerance: what counts as the last error in the controller's memory is at least this. Held by: -. */
 #define TINKER_LEAST_ERROR 1e-4
 

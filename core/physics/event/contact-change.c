@@ -18,6 +18,10 @@
 #include "physics/island/island-run.h"
 #include "physics/model/model-data.h"
 
+/* Impacts that are made to follow on one another at one instant; what strikes by turns without end is found out by
+ * time. */
+#define MOST_FOLLOWING 32
+
 static const char *name_of_row_change(TinkerContactMode was, TinkerContactMode is, gboolean landed)
 {
     if (was == TINKER_CONTACT_OPEN) return !landed ? NULL : is != TINKER_CONTACT_OPEN ? "taut" : "jerk";
@@ -322,5 +326,34 @@ gboolean tinker_contact_run_change(TinkerContactRun *self, const TinkerTrigger *
     g_autofree gboolean *asked = groups_near(self);
     for (int32_t group = 0; group < self->model->bodies; group++)
         if (asked[group] && !change_group(self, trigger, group, tolerance, slow, error)) return FALSE;
+    return TRUE;
+}
+
+/* Whether an impact at this instant threw something at what it touches, so that it approaches that only now. */
+static gboolean is_any_thrown(TinkerContactRun *self, double tolerance)
+{
+    TinkerIslandRun *run = self->run;
+    double extent, speed;
+    if (self->last_impact != run->state.t || tinker_model_set_time(self->model, run->state.t) != TINKER_OK)
+        return FALSE;
+    run->system.system.scales(&run->system, run->state.q, run->state.v, &extent, &speed);
+    tinker_model_set_state(self->model, run->state.q, run->state.v);
+    for (guint i = 0; i < self->near->len; i++) {
+        const TinkerContactPair *pair = &g_array_index(self->near, TinkerContactPair, i);
+        const TinkerContactPlace place = tinker_contact_place(self->contacts, pair->body, pair->plate);
+        if (place.normal_speed < -TINKER_START_SLOW * speed && fabs(place.gap) <= tolerance &&
+            tinker_contact_is_over(self->contacts, pair->plate, &place, tolerance))
+            return TRUE;
+    }
+    return FALSE;
+}
+
+gboolean tinker_contact_run_change_through(TinkerContactRun *self, const TinkerTrigger *trigger, double tolerance,
+                                           double slow, GError **error)
+{
+    const TinkerTrigger none = {.kind = TINKER_TRIGGER_NONE, .row = -1};
+    if (!tinker_contact_run_change(self, trigger, tolerance, slow, error)) return FALSE;
+    for (int blows = 0; blows < MOST_FOLLOWING && is_any_thrown(self, tolerance); blows++)
+        if (!tinker_contact_run_change(self, &none, tolerance, slow, error)) return FALSE;
     return TRUE;
 }

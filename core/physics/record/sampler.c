@@ -1,6 +1,7 @@
 /* Every class that has a wanted column is asked once a sample for each wanted quantity, over all its blocks. */
 #include "physics/record/sampler.h"
 
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -258,6 +259,14 @@ static TinkerStatus accelerations_at(TinkerSampler *sampler, double t, const dou
     return status;
 }
 
+/* What is less than any normal number is what cancelling left: 0, and many programs that read tables take it for
+ * nothing else. */
+static void drop_remainders(const TinkerSampler *sampler, double *values)
+{
+    for (guint i = 0; i < sampler->columns->len; i++)
+        if (values[i] != 0 && fabs(values[i]) < DBL_MIN) values[i] = 0;
+}
+
 TinkerStatus tinker_sampler_values(TinkerSampler *sampler, double t, const double *q, const double *v, double *values)
 {
     TinkerModel *model = sampler->model;
@@ -288,5 +297,6 @@ TinkerStatus tinker_sampler_values(TinkerSampler *sampler, double t, const doubl
             values[g_array_index(wanted->columns, int32_t, k)] = sampler->values[row];
         }
     }
+    if (status == TINKER_OK) drop_remainders(sampler, values);
     return status;
 }

@@ -53,7 +53,8 @@ typedef struct {
     double acceleration; /* m/s^2: the largest so far */
     double fastest;      /* rad/s: no mode of an exact island is faster */
     double *start;       /* where its coordinates were; NULL where it is not exact */
-    double swing;        /* and how far they have been from there */
+    double swing;        /* and how far they have been from there, */
+    double mean_speed;   /* m/s: on the way to where that was the fastest */
     double rounding;     /* m: of the places of its points in the scene */
 } Part;
 
@@ -301,15 +302,23 @@ static gboolean follow(void *follower, guint number, double t, GError **error)
 
 /* Samples ---------------------------------------------------------------------------------------------------------- */
 
+/* How far an exact island has been from where it started, and how fast it has been on the way at least: its steps are
+ * long, and where it has come to rest within the first they have seen no speed of it. */
+static void note_swing(Part *part, const TinkerIslandRun *run)
+{
+    if (part->start == NULL) return;
+    for (int32_t i = 0; i < run->system.system.size; i++)
+        part->swing = fmax(part->swing, fabs(run->state.q[i] - part->start[i]));
+    if (run->state.t > 0) part->mean_speed = fmax(part->mean_speed, part->swing / run->state.t);
+}
+
 /* Every step of an exact solution rounds its modes, and with a place that is off by epsilon of its swing a mode's
  * speed is off by w times that. Where something slow deflects what is stiff that is much beside the speed. In m/s,
  * as a random walk of the steps. */
-static double rounding_of_speeds(Part *part, const TinkerIslandRun *run)
+static double rounding_of_speeds(const Part *part, const TinkerIslandRun *run)
 {
-    const TinkerSystem *system = &run->system.system;
-    if (part->start == NULL || system->linear == NULL || !tinker_method_is_exact(run->choice.method)) return 0;
-    for (int32_t i = 0; i < system->size; i++)
-        part->swing = fmax(part->swing, fabs(run->state.q[i] - part->start[i]));
+    const gboolean exact = run->system.system.linear != NULL && tinker_method_is_exact(run->choice.method);
+    if (part->start == NULL || !exact) return 0;
     return WALK * DBL_EPSILON * sqrt((double)run->summary.steps) * part->fastest * part->swing;
 }
 
@@ -320,15 +329,18 @@ static double rounding(TinkerEstimate *estimate, guint number, double t)
 {
     TinkerIslandRun *run = g_ptr_array_index(estimate->runs->runs, number);
     TinkerSystem *system = &run->system.system;
-    double extent, speed, *greatest = &estimate->parts[number].acceleration;
+    Part *part = &estimate->parts[number];
+    double extent, speed, *greatest = &part->acceleration;
     gint64 evaluations = run->model->evaluations;
     if (system->acceleration(system->context, run->state.t, run->state.q, run->state.v, estimate->now.q, NULL) ==
         TINKER_OK)
         *greatest = fmax(*greatest, tinker_largest(system->size, estimate->now.q));
     run->model->evaluations = evaluations;
     system->scales(system->context, run->state.q, run->state.v, &extent, &speed);
+    if (system->linear != NULL && tinker_method_is_exact(run->choice.method)) note_swing(part, run);
+    speed = fmax(speed, part->mean_speed);
     double places = extent > 0 ? speed / extent : 0, speeds = speed > 0 ? *greatest / speed : 0;
-    double steps = speed > 0 ? rounding_of_speeds(&estimate->parts[number], run) / speed : 0;
+    double steps = speed > 0 ? rounding_of_speeds(part, run) / speed : 0;
     return fmax(DBL_EPSILON * t * fmax(places, speeds), steps);
 }
 

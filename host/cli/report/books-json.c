@@ -102,6 +102,7 @@ char *tinker_books_json(const TinkerBooks *books, TinkerScene *scene, const Tink
     tinker_json_add_pair(angular, "angular_momentum", books->angular);
     add_entries(angular, "impulses", books, scene, offsetof(TinkerBookEntry, angular), FALSE, FALSE);
     add_balance(angular, &books->moment);
+    cJSON_AddNumberToObject(root, "unsettled", books->unsettled);
     add_impacts(root, books, scene);
     add_cancelled(root, books, scene);
     char *text = cJSON_Print(root), *copy = g_strdup(text);

@@ -103,6 +103,15 @@ static void write_impacts(const TinkerBooks *books, TinkerScene *scene, FILE *fi
     }
 }
 
+static void write_unsettled(const TinkerBooks *books, FILE *file)
+{
+    if (books->unsettled <= 0) return;
+    tinker_print_line(file,
+                      "The sums are known to %.1g of what was moved, no better, whatever is left over: forces "
+                      "swing too often between these times. Take less time, with --from and --to.",
+                      books->unsettled);
+}
+
 void tinker_books_write_text(const TinkerBooks *books, TinkerScene *scene, const TinkerBlockId *bodies, FILE *file)
 {
     g_autoptr(GString) names = g_string_new(NULL);
@@ -113,6 +122,7 @@ void tinker_books_write_text(const TinkerBooks *books, TinkerScene *scene, const
     write_energy(books, scene, file);
     write_momentum(books, scene, file);
     write_impacts(books, scene, file);
+    write_unsettled(books, file);
     gboolean first = TRUE;
     for (guint i = 0; i < books->entries->len; i++) {
         if (!entry_at(books, i)->inner) continue;

@@ -264,7 +264,11 @@ static void draw_account(Drawing *drawing, Which which, const double place[4])
     gather(&account, (guint)fmax(room / LEAST_ROW, 1));
     const double row = fmin(MOST_ROW, room / account.entries->len);
     g_autofree char *left = quantity(drawing, account.balance->residual, account.dimension);
-    g_autofree char *over = g_strdup_printf(_("left over: %s"), left);
+    g_autofree char *off =
+        quantity(drawing, drawing->picture->books->unsettled * account.balance->scale, account.dimension);
+    g_autofree char *over = drawing->picture->books->unsettled > 0
+                                ? g_strdup_printf(_("left over: %s; sums are off by about %s"), left, off)
+                                : g_strdup_printf(_("left over: %s"), left);
     write_text(drawing, title, place[0], place[1]);
     write_text(drawing, (TinkerText){.text = over, .size = TEXT - 1, .limit = room_across}, place[0],
                top + HEADING / 2 - 1);

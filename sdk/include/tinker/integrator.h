@@ -6,7 +6,8 @@
  *
  * and knows nothing of scenes. The host owns the state; the integrator owns its stages and whatever dense output needs.
  * Besides q and v the system has `books`: energy integrals dw/dt = power(q, v, t) that are advanced with the method's
- * own order but never enter its error control.
+ * own order. They enter no error control, but for where velocities hardly change: there the motion tells nothing of
+ * them, and an adaptive method had better ask how well they are integrated.
  *
  * Steppers may be at work at once, each on a thread of its own: what one keeps is in what `create` allotted, and
  * nowhere else.
