@@ -1,6 +1,7 @@
 /* Names of connectors: beside their symbols, whole and upon nothing, or not at all. What is drawn is read from
  * pictures. */
 #include <math.h>
+#include <string.h>
 
 #include "scene-fixture.h"
 #include "stage.h"
@@ -251,6 +252,32 @@ static void test_nets(void)
     }
 }
 
+/* A name is not written beneath a panel that lies over the picture: it goes to another side of its body, or is left out
+ * where panels lie all around. */
+static void test_panels(void)
+{
+    TestStage stage;
+    test_stage_open(&stage, "{\"type\": \"mass\", \"name\": \"Bob\", \"position\": [0, 0]}");
+    stage.options.show_labels = TRUE;
+    test_stage_paint(&stage);
+    const TinkerWrittenText *free_name = test_stage_text(&stage, "Bob");
+    g_assert_nonnull(free_name);
+    g_autoptr(GPtrArray) texts = tinker_written_texts_new();
+    TinkerWrittenText *panel = g_new0(TinkerWrittenText, 1);
+    memcpy(panel->box, free_name->box, sizeof panel->box);
+    g_ptr_array_add(texts, panel);
+    stage.options.texts = texts;
+    test_stage_paint(&stage);
+    const TinkerWrittenText *moved = test_stage_text(&stage, "Bob");
+    g_assert_nonnull(moved);
+    g_assert_true(apart(moved, panel));
+    g_ptr_array_set_size(texts, 1);
+    memcpy(panel->box, (double[]){0, 0, TEST_STAGE_WIDTH, TEST_STAGE_HEIGHT}, sizeof panel->box);
+    test_stage_paint(&stage);
+    g_assert_null(test_stage_text(&stage, "Bob"));
+    test_stage_close(&stage);
+}
+
 static void add_tests(void)
 {
     g_test_add_func("/render/labels/beside", test_beside);
@@ -261,6 +288,7 @@ static void add_tests(void)
     g_test_add_func("/render/labels/pivot", test_pivot);
     g_test_add_func("/render/labels/steady", test_steady);
     g_test_add_func("/render/labels/nets", test_nets);
+    g_test_add_func("/render/labels/panels", test_panels);
 }
 
 int main(int argc, char **argv)

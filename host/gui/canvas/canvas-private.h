@@ -78,6 +78,10 @@ void canvas_to_world(TinkerCanvas *canvas, double x, double y, double world[2]);
 void canvas_describe_view(TinkerCanvas *canvas);
 void canvas_view_changed(TinkerCanvas *canvas);
 
+/* What lies over the canvas, in units that are larger by a factor, as texts without words: what names keep clear of.
+ * (transfer full) */
+GPtrArray *canvas_panels(TinkerCanvas *canvas, double factor);
+
 /* Start velocities and warning marks over the scene; canvas-marks.c. */
 void canvas_paint_marks(TinkerCanvas *canvas, cairo_t *cairo, TinkerFrame *frame, const TinkerTheme *theme);
 

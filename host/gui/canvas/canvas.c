@@ -279,7 +279,7 @@ static void paint_arrows(TinkerCanvas *canvas, cairo_t *cairo, const TinkerPaint
 
 static void paint(TinkerCanvas *canvas, cairo_t *cairo)
 {
-    g_autoptr(GPtrArray) texts = tinker_written_texts_new();
+    g_autoptr(GPtrArray) texts = canvas_panels(canvas, canvas_magnification(canvas));
     TinkerFrame *frame = tinker_player_frame(canvas->player);
     TinkerPaintOptions options = paint_options(canvas);
     if (frame == NULL) return;
@@ -304,7 +304,7 @@ void tinker_canvas_draw_for_paper(TinkerCanvas *canvas, cairo_t *cairo)
 {
     TinkerFrame *frame = tinker_player_frame(canvas->player);
     TinkerPaintOptions options = paint_options(canvas);
-    g_autoptr(GPtrArray) texts = tinker_written_texts_new();
+    g_autoptr(GPtrArray) texts = canvas_panels(canvas, 1);
     if (frame == NULL) return;
     options.theme = tinker_theme_find("light");
     options.highlighted = TINKER_NO_BLOCK;
@@ -517,6 +517,7 @@ static void tinker_canvas_class_init(TinkerCanvasClass *class)
     g_object_class_install_properties(object_class, PROPERTIES, properties);
     g_signal_new("view-changed", TINKER_TYPE_CANVAS, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL, G_TYPE_NONE, 0);
     g_signal_new("faults", TINKER_TYPE_CANVAS, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL, G_TYPE_NONE, 0);
+    g_signal_new("panels", TINKER_TYPE_CANVAS, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL, G_TYPE_NONE, 1, G_TYPE_POINTER);
     g_signal_new("menu", TINKER_TYPE_CANVAS, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL, G_TYPE_NONE, 2, G_TYPE_DOUBLE,
                  G_TYPE_DOUBLE);
     g_signal_new("dropped", TINKER_TYPE_CANVAS, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL, G_TYPE_NONE, 2, G_TYPE_INT,

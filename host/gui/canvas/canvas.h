@@ -25,6 +25,9 @@ void tinker_canvas_set_cover(TinkerCanvas *canvas, GtkWidget *cover);
  */
 void tinker_canvas_cover_placed(TinkerCanvas *canvas);
 
+/* The signal "panels" (GArray *boxes) asks for what else lies over it, of double[4]: least and greatest x and y, widget
+ * units. Names and labels keep clear of that; who has moved some of it has the canvas drawn again. */
+
 /* Marks these blocks as those that something is wrong with; ids of blocks that are gone are passed over. Copied. */
 void tinker_canvas_set_marked(TinkerCanvas *canvas, const TinkerBlockId *blocks, int count);
 

@@ -87,6 +87,9 @@ gboolean tinker_player_wait(TinkerPlayer *player, double time, GError **error);
  * document changes. */
 TinkerFrame *tinker_player_frame(TinkerPlayer *player);
 
+/* Puts another frame of the scene where the record has it at a time. FALSE where that is not recorded. */
+gboolean tinker_player_place(TinkerPlayer *player, TinkerFrame *frame, double time);
+
 /* A scene whose start is what is shown now (or the sample before it); NULL where it cannot go on from there. (transfer
  * full) */
 TinkerScene *tinker_player_scene_now(TinkerPlayer *player);
