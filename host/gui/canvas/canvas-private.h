@@ -33,6 +33,7 @@ struct _TinkerCanvas {
     gboolean view_is_fitted; /* it shows `fitted`, whatever the size, until somebody looks elsewhere */
     double fitted[4], fitted_margin, fitted_above;
     guint keeping_below; /* the source that shows it below the cover */
+    double covered_told; /* widget units: how much the cover took when that was told last */
     TinkerPaintMemory *memory;
     GHashTable *faults; /* of drawings, as TinkerPaintOptions has them */
     guint faults_told;  /* of them */

@@ -71,6 +71,8 @@ GPtrArray *canvas_panels(TinkerCanvas *canvas, double factor)
 {
     g_autoptr(GArray) boxes = g_array_new(FALSE, FALSE, 4 * sizeof(double));
     GPtrArray *texts = tinker_written_texts_new();
+    if (canvas->view.covered > 0)
+        g_array_append_vals(boxes, ((double[]){0, 0, canvas->view.width, canvas->view.covered}), 1);
     g_signal_emit_by_name(canvas, "panels", boxes);
     for (guint i = 0; i < boxes->len; i++) {
         const double *box = (const double *)(gpointer)boxes->data + 4 * (gsize)i;

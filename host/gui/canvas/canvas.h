@@ -21,6 +21,9 @@ void tinker_canvas_set_player(TinkerCanvas *canvas, TinkerDocument *document, Ti
  * there is none. */
 void tinker_canvas_set_cover(TinkerCanvas *canvas, GtkWidget *cover);
 
+/* How much of it that covers, from the top on (widget units); "view-changed" tells of another one. */
+double tinker_canvas_covered(TinkerCanvas *canvas);
+
 /* It has got another place or height: a scene that is shown wholly is shown below it, if it would cover some of that.
  */
 void tinker_canvas_cover_placed(TinkerCanvas *canvas);

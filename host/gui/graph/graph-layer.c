@@ -308,7 +308,7 @@ static void added(TinkerGraphBoard *board, TinkerGraphView *view)
 static void add_panels(TinkerGraphLayer *layer, GArray *boxes)
 {
     TinkerGraphBoard *board = TINKER_GRAPH_BOARD(layer);
-    for (int i = 0; i < tinker_graph_board_count(board); i++) {
+    for (int i = 0; layer->canvas != NULL && i < tinker_graph_board_count(board); i++) {
         const TinkerGraphBox box = box_of(layer, tinker_graph_board_view(board, i));
         g_array_append_vals(boxes, ((double[]){box.x, box.y, box.x + box.width, box.y + box.height}), 1);
     }

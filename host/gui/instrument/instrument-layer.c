@@ -6,6 +6,7 @@
 
 #include "gui/curve/graph-edit.h"
 #include "gui/instrument/instrument-edit.h"
+#include "gui/instrument/instrument-room.h"
 #include "gui/instrument/instrument-view.h"
 #include "gui/widget/unparent.h"
 #include "render/picture/painter.h"
@@ -27,10 +28,9 @@ struct _TinkerInstrumentLayer {
     TinkerDocument *document;
     TinkerPlayer *player;
     TinkerHand *hand;
-    GPtrArray *views; /* of TinkerInstrumentView, which are children: borrowed */
-    GArray *boxes;    /* of TinkerGraphBox: where these are */
-    /* Of TinkerGraphBox: what they keep clear of; of blocks, and of their ways in a run, if there is room. */
-    GArray *graph_boxes, *block_boxes, *swept_boxes;
+    GPtrArray *views;        /* of TinkerInstrumentView, which are children: borrowed */
+    GArray *boxes;           /* of TinkerGraphBox: where these are */
+    InstrumentRoom room;     /* what they keep clear of: of blocks on a small canvas alone */
     gboolean has_looked;     /* that is up to date */
     TinkerPlayerState state; /* of the player when it was heard of last */
     gboolean awaits_run;     /* which began since, and whose way is not known yet */
@@ -94,15 +94,10 @@ static void look_again(TinkerInstrumentLayer *layer)
     gtk_widget_queue_allocate(GTK_WIDGET(layer));
 }
 
-/* Where blocks are now, and on the way of the run. */
 static void look_for_blocks(TinkerInstrumentLayer *layer)
 {
-    g_array_set_size(layer->block_boxes, 0);
-    g_array_set_size(layer->swept_boxes, 0);
-    if (shrinkage(layer) == 1) return;
-    g_array_unref(layer->block_boxes);
-    layer->block_boxes = tinker_graph_layer_taken(layer->graphs, tinker_player_frame(layer->player));
-    tinker_graph_layer_add_swept(layer->graphs, layer->swept_boxes);
+    instrument_room_look_for_blocks(&layer->room, layer->graphs, tinker_player_frame(layer->player),
+                                    shrinkage(layer) < 1);
 }
 
 /* Graphs stand in the way. Where instruments are smaller than they were put there, since the canvas is small, blocks do
@@ -112,8 +107,7 @@ static void look_about(TinkerInstrumentLayer *layer)
 {
     if (layer->has_looked || layer->views->len == 0) return;
     layer->has_looked = TRUE;
-    g_array_unref(layer->graph_boxes);
-    layer->graph_boxes = tinker_graph_layer_taken(layer->graphs, NULL);
+    instrument_room_look_for_graphs(&layer->room, layer->graphs);
     if (layer->state != TINKER_PLAYER_PLAYING) look_for_blocks(layer);
 }
 
@@ -136,24 +130,17 @@ static void on_state_changed(TinkerInstrumentLayer *layer)
     on_moved(layer);
 }
 
-/* Out of the way of those before it, but for one that is dragged, and of what is about; and no lower than where a bar
- * may float, unless it was put there. */
+/* Out of the way of those before it, but for one that is dragged, of notices and of what is about; and no lower than
+ * where a bar may float, unless it was put there. */
 static void make_way(TinkerInstrumentLayer *layer, TinkerGraphBox *box)
 {
     const double width = gtk_widget_get_width(GTK_WIDGET(layer)), height = gtk_widget_get_height(GTK_WIDGET(layer));
     const double bottom = box->y + box->height <= height - BAR_HEIGHT ? height - BAR_HEIGHT : height;
-    g_autoptr(GArray) taken = g_array_copy(layer->graph_boxes);
+    g_autoptr(GArray) others = g_array_new(FALSE, FALSE, sizeof(TinkerGraphBox));
     for (guint i = 0; i < layer->boxes->len; i++)
         if (g_ptr_array_index(layer->views, i) != layer->dragged)
-            g_array_append_val(taken, g_array_index(layer->boxes, TinkerGraphBox, i));
-    guint counts[3] = {[2] = taken->len};
-    g_array_append_vals(taken, layer->block_boxes->data, layer->block_boxes->len);
-    counts[1] = taken->len;
-    g_array_append_vals(taken, layer->swept_boxes->data, layer->swept_boxes->len);
-    counts[0] = taken->len;
-    const TinkerGraphBox *all = (const TinkerGraphBox *)(gpointer)taken->data;
-    for (gsize i = 0; i < G_N_ELEMENTS(counts); i++)
-        if (tinker_graph_move_to_room(box, width, bottom, all, (int)counts[i])) return;
+            g_array_append_val(others, g_array_index(layer->boxes, TinkerGraphBox, i));
+    instrument_room_make_way(&layer->room, others, width, bottom, tinker_canvas_covered(layer->canvas), box);
 }
 
 /* The boxes of all, in order. One that is dragged goes where the pointer takes it, and the others stay until it is
@@ -234,7 +221,7 @@ void tinker_instrument_layer_draw(TinkerInstrumentLayer *layer, cairo_t *cairo)
 
 static void add_panels(TinkerInstrumentLayer *layer, GArray *boxes)
 {
-    for (guint i = 0; i < layer->boxes->len; i++) {
+    for (guint i = 0; layer->boxes != NULL && i < layer->boxes->len; i++) {
         const TinkerGraphBox box = g_array_index(layer->boxes, TinkerGraphBox, i);
         g_array_append_vals(boxes, ((double[]){box.x, box.y, box.x + box.width, box.y + box.height}), 1);
     }
@@ -364,9 +351,7 @@ static void tinker_instrument_layer_dispose(GObject *object)
     tinker_unparent_children(GTK_WIDGET(object));
     g_clear_pointer(&layer->views, g_ptr_array_unref);
     g_clear_pointer(&layer->boxes, g_array_unref);
-    g_clear_pointer(&layer->graph_boxes, g_array_unref);
-    g_clear_pointer(&layer->block_boxes, g_array_unref);
-    g_clear_pointer(&layer->swept_boxes, g_array_unref);
+    instrument_room_clear(&layer->room);
     g_clear_pointer(&layer->hand, tinker_hand_free);
     g_clear_object(&layer->canvas);
     g_clear_object(&layer->graphs);
@@ -388,9 +373,7 @@ static void tinker_instrument_layer_init(TinkerInstrumentLayer *layer)
 {
     layer->views = g_ptr_array_new();
     layer->boxes = g_array_new(FALSE, FALSE, sizeof(TinkerGraphBox));
-    layer->graph_boxes = g_array_new(FALSE, FALSE, sizeof(TinkerGraphBox));
-    layer->block_boxes = g_array_new(FALSE, FALSE, sizeof(TinkerGraphBox));
-    layer->swept_boxes = g_array_new(FALSE, FALSE, sizeof(TinkerGraphBox));
+    instrument_room_init(&layer->room);
     gtk_widget_set_overflow(GTK_WIDGET(layer), GTK_OVERFLOW_HIDDEN);
 }
 

@@ -108,6 +108,17 @@ def test_meter_makes_way_for_a_swing_in_a_small_window(display):
         check_equal(app.settled(node), place, "where it has gone to")
 
 
+def test_meter_makes_way_for_a_notice(display):
+    """And goes back to its place when that is gone."""
+    meter = {"block": "A", "quantity": "x", "place": [-1, 99]}  # beyond the top: shown at it
+    with App(display, scene(mass("A", -1, 0, velocity=[1, 0]), mass("B", 1, 0), duration=4, meters=[meter])) as app:
+        notice, node = app.find("button", re.compile("pass through each other")), app.find(None, re.compile("^Meter of "))
+        _, top, _, height = app.settled(notice)
+        wait(lambda: app.settled(node)[1] > top + height, "it to stand below the notice")
+        app.click("Close Notice")
+        wait(lambda: app.settled(node)[1] < top + height, "it to go back")
+
+
 def test_added_by_the_property(display):
     with App(display, oscillator()) as app:
         app.show_width()
