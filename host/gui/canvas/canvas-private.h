@@ -83,8 +83,9 @@ void canvas_view_changed(TinkerCanvas *canvas);
  * (transfer full) */
 GPtrArray *canvas_panels(TinkerCanvas *canvas, double factor);
 
-/* Start velocities and warning marks over the scene; canvas-marks.c. */
-void canvas_paint_marks(TinkerCanvas *canvas, cairo_t *cairo, TinkerFrame *frame, const TinkerTheme *theme);
+/* Start velocities and warning marks over the scene, clear of the panels among these texts; canvas-marks.c. */
+void canvas_paint_marks(TinkerCanvas *canvas, cairo_t *cairo, TinkerFrame *frame, const TinkerTheme *theme,
+                        const GPtrArray *texts);
 
 /* From which height on the canvas can be seen (widget units): notices lie over its top. canvas-follow.c. */
 double canvas_seen_from(const TinkerCanvas *canvas);

@@ -303,7 +303,7 @@ static void paint(TinkerCanvas *canvas, cairo_t *cairo)
     options.texts = texts;
     tinker_paint_scene(cairo, frame, &canvas->view, &options);
     paint_ghosts(canvas, cairo, &options);
-    canvas_paint_marks(canvas, cairo, frame, options.theme);
+    canvas_paint_marks(canvas, cairo, frame, options.theme, texts);
     paint_arrows(canvas, cairo, &options, lit_block(canvas));
     canvas_paint_edge_marks(canvas, cairo, frame, options.theme); /* over the key of the forces */
     canvas->view = seen;
