@@ -46,7 +46,8 @@ static void bounds(const TinkerInstance *instance, const TinkerStyle *style, dou
  * The handle of the width is on the upper side, off the middle, where the whole is dragged. */
 enum { HANDLE_END = TINKER_HANDLE_SIZE, HANDLE_START = TINKER_HANDLE_LOCAL_ORIGIN + 1, HANDLE_WIDTH };
 
-#define WIDTH_AT 0.25 /* of the length, from the middle */
+#define WIDTH_AT    0.25 /* of the length, from the middle */
+#define LEAST_WIDTH 0.01 /* of the length: what the handle leaves is at least so wide, or a line */
 
 static const TinkerEdit edit;
 
@@ -70,14 +71,13 @@ static int32_t handles_of(const TinkerInstance *instance, TinkerHandle *handles,
                                  count);
 }
 
-/* Onto the line in its middle it stays as it is: without a width a bar would be a line, which is typed. */
+/* Near the line in its middle it has none: a hand does not hit 0, and so thin a bar looks as one without. */
 static void set_width(const TinkerInstance *instance, double x, double y, const TinkerEditor *editor)
 {
     double own_x, own_y;
     tinker_box_to_own(instance, x, y, &own_x, &own_y);
-    if (fabs(own_y) > 0.0) {
-        editor->set(editor, COLUMN_WIDTH, 2.0 * fabs(own_y));
-    }
+    const double width = 2.0 * fabs(own_y);
+    editor->set(editor, COLUMN_WIDTH, width > LEAST_WIDTH * instance->columns[COLUMN_LENGTH] ? width : 0.0);
 }
 
 static void move_absolute(const TinkerInstance *instance, int32_t part, double x, double y, const TinkerEditor *editor)

@@ -531,6 +531,38 @@ static void test_long_title(CliFixture *fixture, gconstpointer data)
     g_assert_cmpint(count_lines(fixture, "640x720"), >, wide);
 }
 
+/* The mean height of what is written in a part of a picture. */
+static double written_at(cairo_surface_t *surface, int left, int top, int right, int bottom)
+{
+    const guint8 *pixels = cairo_image_surface_get_data(surface);
+    const int stride = cairo_image_surface_get_stride(surface);
+    double sum = 0, count = 0;
+    for (int y = top; y < bottom; y++)
+        for (int x = left; x < right; x++)
+            if (is_near(pixels + y * stride + 4 * x, 0x24, 0x24, 0x24)) {
+                sum += y;
+                count++;
+            }
+    g_assert_cmpfloat(count, >, 10);
+    return sum / count;
+}
+
+/* That of a torque goes no farther than its length asks for: an arrow that ends behind a short one is not in its way
+ * where a long one would stand. Beside the sign of equality is the middle. */
+static void test_torque_label_is_measured(CliFixture *fixture, gconstpointer data)
+{
+    static const char scene[] =
+        "{\"tinker\": 1, \"blocks\": [{\"type\": \"disc\", \"name\": \"Bob\", \"radius\": 0.5}, {\"type\": \"torque\", "
+        "\"name\": \"M\", \"ends\": [\"Bob\"], \"amplitude\": 3}, {\"type\": \"motor\", \"name\": \"F\", \"ends\": "
+        "[{\"block\": \"Bob\", \"at\": [0.5, 0.5]}], \"angle\": \"-24 deg\", \"amplitude\": 10}]}";
+    g_autofree char *path = cli_write(fixture, "scene.json", scene);
+    cairo_surface_t *surface = draw_diagram(fixture, "0", "900x620");
+    const double label = written_at(surface, 325, 240, 395, 340), middle = written_at(surface, 505, 240, 540, 340);
+    g_assert_cmpfloat(label - middle, >, 5);
+    g_assert_cmpfloat(label - middle, <, 20);
+    cairo_surface_destroy(surface);
+}
+
 /* A picture's name never holds a text, nor a text's a picture. */
 static void test_endings(CliFixture *fixture, gconstpointer data)
 {
@@ -616,6 +648,7 @@ int main(int argc, char **argv)
     cli_test_add("/cli/books/torque-value", test_torque_value);
     cli_test_add("/cli/books/torque-label", test_torque_label_is_not_crossed);
     cli_test_add("/cli/books/long-title", test_long_title);
+    cli_test_add("/cli/books/torque-label-measured", test_torque_label_is_measured);
     cli_test_add("/cli/books/endings", test_endings);
     g_test_add_func("/cli/books/scale", test_scale);
     return g_test_run();

@@ -113,6 +113,64 @@ static void test_now_is_where_the_body_is(void)
     g_assert_cmpstr(text, ==, "t = 0.3025 s, y = −0.44893 m");
 }
 
+/* Of y = c - cos(omega t), 20.5 samples a swing. */
+static GuiFixture *swing(double c, double omega)
+{
+    GuiFixture *fixture = gui_fixture_new("");
+    g_autofree char *scene = g_strdup_printf(
+        "'run': {'duration': %.17g, 'interval': %.17g}, 'blocks': [{'type': 'support', 'name': 'S', 'position': [0, "
+        "9]}, {'type': 'mass', 'name': 'M', 'position': [0, %.17g]}, {'type': 'spring', 'name': 'K', 'ends': ['S', "
+        "'M'], 'stiffness': %.17g, 'rest_length': %.17g}], 'graphs': [{'block': 'M', 'quantity': 'y'}]",
+        4 * G_PI / omega, 2 * G_PI / omega / 20.5, c - 1, omega * omega, 9 - c);
+    gui_fixture_start_scene(fixture, scene);
+    graph_fixture_run_until(fixture, 4 * G_PI / omega);
+    return fixture;
+}
+
+/* Zeros of a closed form between sparse samples; also those of a dip between two samples, which are both above 0. */
+static void test_reading_of_zeros(void)
+{
+    static const double heights[] = {0, 0.7, 0.999};
+    const double omega = 5;
+    for (gsize i = 0; i < G_N_ELEMENTS(heights); i++) {
+        g_autoptr(GuiFixture) fixture = swing(heights[i], omega);
+        g_autoptr(TinkerGraphData) data = graph_fixture_data(fixture);
+        const TinkerGraphSeries *series = tinker_graph_data_curve(data, 0);
+        const double first = acos(heights[i]), zeros[] = {first, 2 * G_PI - first};
+        TinkerGraphReading reading = {0};
+        double time = 0;
+        tinker_graph_data_catch_up(data);
+        for (gsize k = 0; k < 2; k++) {
+            do {
+                g_assert_true(tinker_graph_reading_next(series, time, TRUE, &reading));
+                time = reading.at[0];
+            } while (reading.kind != TINKER_READING_ZERO);
+            g_assert_cmpfloat_with_epsilon(time, zeros[k] / omega, 3e-4);
+        }
+    }
+}
+
+/* Where a ball comes down to 0 and turns back there is no zero beside the minimum, before it or behind it. */
+static void test_no_zero_where_a_curve_touches(void)
+{
+    g_autoptr(GuiFixture) fixture = gui_fixture_new("");
+    gui_fixture_start_scene(
+        fixture, "'run': {'duration': 0.5}, 'blocks': [{'type': 'gravity', 'name': 'G'}, {'type': 'support', 'name': "
+                 "'S', 'position': [0, -0.75], 'height': 0.5, 'restitution': 0.8}, {'type': 'mass', 'name': 'M', "
+                 "'height': 1, 'position': [0, 0.4]}], 'graphs': [{'block': 'M', 'quantity': 'y'}]");
+    graph_fixture_run_until(fixture, 0.5);
+    g_autoptr(TinkerGraphData) data = graph_fixture_data(fixture);
+    const TinkerGraphSeries *series = tinker_graph_data_curve(data, 0);
+    TinkerGraphReading reading = {0};
+    tinker_graph_data_catch_up(data);
+    g_assert_true(tinker_graph_reading_next(series, 0.05, TRUE, &reading));
+    g_assert_cmpint(reading.kind, ==, TINKER_READING_MINIMUM);
+    g_assert_cmpfloat_with_epsilon(reading.at[0], sqrt(2 * 0.4 / GRAVITY), 1e-9);
+    g_assert_cmpfloat_with_epsilon(reading.at[1], 0, 1e-9);
+    g_assert_false(tinker_graph_reading_next(series, reading.at[0], TRUE, &reading) &&
+                   reading.kind == TINKER_READING_ZERO);
+}
+
 /* A ball that falls 0.4 m onto a floor turns back there, after sqrt(2 h / g), whatever the samples. */
 static void test_reading_of_a_kink(void)
 {
@@ -229,9 +287,10 @@ static void test_generations(void)
     tinker_player_seek(fixture->player, 0.2);
     g_assert_cmpuint(tinker_graph_data_update(data), !=, filled);
 
+    /* Who goes back to the start sees what was; an edit, which makes it another motion, takes it away. */
     tinker_player_reset(fixture->player);
     tinker_graph_data_update(data);
-    g_assert_cmpuint(tinker_graph_data_count(data), ==, 0);
+    g_assert_cmpuint(tinker_graph_data_count(data), ==, 51);
     TinkerScene *scene = tinker_document_scene(fixture->document);
     const TinkerBlockClass *block_class = tinker_scene_block_class(scene, gui_fixture_block(fixture, "Mass 0"));
     int32_t position = block_class->meanings[TINKER_MEANING_POSITION];
@@ -239,6 +298,8 @@ static void test_generations(void)
     tinker_history_set(tinker_document_history(fixture->document), gui_fixture_block(fixture, "Mass 0"), position,
                        (double[]){0, 2}, NULL);
     tinker_document_end(fixture->document);
+    tinker_graph_data_update(data);
+    g_assert_cmpuint(tinker_graph_data_count(data), ==, 0);
     graph_fixture_run_until(fixture, 0.5);
     tinker_graph_data_update(data);
     g_assert_cmpuint(tinker_graph_data_count(data), ==, 51);
@@ -249,6 +310,8 @@ static void add_tests(void)
 {
     g_test_add_func("/gui/graph-data/now", test_now_is_where_the_body_is);
     g_test_add_func("/gui/graph-data/kink", test_reading_of_a_kink);
+    g_test_add_func("/gui/graph-data/zeros", test_reading_of_zeros);
+    g_test_add_func("/gui/graph-data/touch", test_no_zero_where_a_curve_touches);
     g_test_add_func("/gui/graph-data/published-table", test_published_table);
     g_test_add_func("/gui/graph-data/scene-stays", test_scene_stays);
     g_test_add_func("/gui/graph-data/phase-plot", test_phase_plot);

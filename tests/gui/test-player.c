@@ -262,6 +262,44 @@ static void test_refusal(void)
     g_assert_cmpint(tinker_player_state(fixture->player), ==, TINKER_PLAYER_SETUP);
 }
 
+/* How many samples of the height of M there are. */
+static guint samples_of(PlayerFixture *fixture)
+{
+    g_autoptr(GArray) times = g_array_new(FALSE, FALSE, sizeof(double));
+    g_autoptr(GArray) values = g_array_new(FALSE, FALSE, sizeof(double));
+    (void)tinker_player_series(fixture->player, player_quantity(fixture, "y"), &(TinkerSeriesCursor){0}, times, values);
+    return times->len;
+}
+
+/* Going back is not forgetting: what was recorded can be looked at until an edit or another run, which is that of the
+ * scene as it is from its start on. */
+static void test_reset_keeps_what_was(void)
+{
+    g_autoptr(PlayerFixture) fixture = player_fixture_new(OSCILLATOR);
+    player_play(fixture);
+    player_wait_until(fixture, 4);
+    tinker_player_pause(fixture->player);
+    tinker_player_seek(fixture->player, 2);
+    gui_fixture_set(fixture->base, "K", "stiffness", 0, 0); /* from here on straight on */
+    player_wait_until(fixture, 4);
+    tinker_player_reset(fixture->player);
+    g_assert_cmpuint(samples_of(fixture), ==, 401);
+    g_assert_true(tinker_player_keep(fixture->player));
+    tinker_player_seek(fixture->player, 1);
+    g_assert_cmpint(tinker_player_state(fixture->player), ==, TINKER_PLAYER_PAUSED);
+    player_assert_close(player_height(fixture), 2 - cos(OMEGA), CLOSE);
+    tinker_player_reset(fixture->player);
+    player_play(fixture);
+    player_wait_until(fixture, 4);
+    tinker_player_seek(fixture->player, 1);
+    player_assert_close(player_height(fixture), 1, CLOSE); /* at rest: nothing pulls from the start on */
+    tinker_player_reset(fixture->player);
+    gui_fixture_set(fixture->base, "M", "position", 0, 1.5);
+    g_assert_cmpuint(samples_of(fixture), ==, 0);
+    tinker_player_give_up(fixture->player);
+    g_assert_false(tinker_player_keep(fixture->player));
+}
+
 /* A run that fails, with a force that is no number behind t = 2, keeps what it has and says so once. */
 static void test_failure(void)
 {
@@ -281,6 +319,13 @@ static void test_failure(void)
     tinker_player_seek(fixture->player, 0.5 * end);
     player_assert_close(tinker_player_time(fixture->player), 0.5 * end, 0);
     g_assert_cmpint(fixture->failed, ==, 1);
+    tinker_player_reset(fixture->player); /* and once more when it is run again */
+    player_play(fixture);
+    for (int i = 0; i < 10000 && tinker_player_state(fixture->player) == TINKER_PLAYER_PLAYING; i++) {
+        tinker_player_advance(fixture->player, 1);
+        g_usleep(1000);
+    }
+    g_assert_cmpint(fixture->failed, ==, 2);
 }
 
 static void add_tests(void)
@@ -297,6 +342,7 @@ static void add_tests(void)
     g_test_add_func("/player/series", test_series);
     g_test_add_func("/player/long-series", test_long_series);
     g_test_add_func("/player/refusal", test_refusal);
+    g_test_add_func("/player/reset-keeps-what-was", test_reset_keeps_what_was);
     g_test_add_func("/player/failure", test_failure);
 }
 

@@ -43,6 +43,20 @@ static void test_formula(void)
     g_assert_cmpfloat_with_epsilon(panel_stored(fixture, "Mass 0", "position", 0), G_SQRT2, 1e-15);
     panel_type(fixture, "Global Position", "X", "5/4 cm");
     g_assert_cmpfloat_with_epsilon(panel_stored(fixture, "Mass 0", "position", 0), 0.0125, 1e-15);
+    /* a sum of quantities, with and without blanks */
+    static const struct {
+        const char *text;
+        double metres;
+    } sums[] = {{"6.13 m-3 m", 3.13}, {"6.13 m - 3 m", 3.13},  {"1 m+1 ft", 1.3048}, {"2e-3 m-1e-3 m", 1e-3},
+                {"-1 m-(1+1) m", -3}, {"1 m + 2 m - 4 m", -1}, {"5-3 m+2 m", 4},     {"1 m^2/m-.5 m", 0.5},
+                {"2 N-m/N-1 m", 1},   {"2*3 m-1 m", 5}};
+    for (gsize i = 0; i < G_N_ELEMENTS(sums); i++) {
+        panel_type(fixture, "Global Position", "X", sums[i].text);
+        g_assert_cmpfloat_with_epsilon(panel_stored(fixture, "Mass 0", "position", 0), sums[i].metres, 1e-14);
+    }
+    panel_assert_refused(fixture, "Global Position", "X", "6 m-3", PARTS("unit"));
+    panel_assert_refused(fixture, "Global Position", "X", "6 m-3 kg", PARTS("unit"));
+    panel_assert_refused(fixture, "Properties", "Mass", "3 kg-4 kg", PARTS("greater than 0 kg", "-1 kg"));
     panel_type(fixture, "Properties", "Orientation", "180/4");
     g_assert_cmpfloat_with_epsilon(panel_stored(fixture, "Mass 0", "orientation", 0), G_PI_4, 1e-15);
     panel_assert_refused(fixture, "Properties", "Mass", "2*t", PARTS("2*t", "no number"));

@@ -11,6 +11,7 @@
 #include "physics/plan/plan.h"
 #include "physics/plan/run-options.h"
 #include "physics/run/simulation.h"
+#include "scene/read/scene-json.h"
 #include "scene/store/scene-expression.h"
 #include "units/quantity/units.h"
 
@@ -131,6 +132,41 @@ static void test_typed(void)
     g_assert_cmpstr(length->message, ==, "column 3: erwartet war eine Länge (m), „3 kg“ ist eine Masse (kg)");
 }
 
+/* What is wrong with a file that is opened; keys and what is quoted stay as they are in the file. */
+static void test_scene_file(void)
+{
+    static const struct {
+        const char *blocks, *expected;
+    } cases[] = {
+        {"[{\"type\": \"mass\" \"name\": \"A\"}]", "kein JSON: erwartet wird „,“ oder „}“, hier steht „\"“"},
+        {"[{\"type\": \"mass\",}]", "kein JSON: vor „}“ steht ein Komma (nehmen Sie es weg)"},
+        {"[7]", "blocks[0]: ein Baustein ist ein Objekt, {\"type\": ...}"},
+        {"[{\"type\": \"mass\", \"name\": \"A\", \"mass\": true}]",
+         "A: mass: erwartet wird eine Zahl oder ein Text mit einer Einheit, gegeben ist true"},
+        {"[{\"type\": \"mass\", \"name\": \"A\", \"position\": [1]}]",
+         "A: position: ein Vektor hat 2 Zahlen, [x, y], gegeben sind 1"},
+        {"[{\"type\": \"mass\", \"name\": \"A\", \"mass\": \"3 m\"}]",
+         "A: mass: erwartet war eine Masse (kg), „3 m“ ist eine Länge (m)"},
+        {"[{\"type\": \"spring\", \"name\": \"K\", \"ends\": [[0, 0]]}]",
+         "K: ends: „spring“ hat 2 Enden, gegeben sind 1"},
+        {"[{\"type\": \"mass\", \"name\": \"Bob\"}, {\"type\": \"spring\", \"name\": \"K\", \"ends\": [\"Bib\", [0, "
+         "0]]}]",
+         "K: Ende 1: es gibt keinen Baustein „Bib“ (ist „Bob“ gemeint?)"},
+    };
+    g_autoptr(GuiFixture) fixture = gui_fixture_new("");
+    for (gsize i = 0; i < G_N_ELEMENTS(cases); i++) {
+        g_autoptr(GError) error = NULL;
+        g_autofree char *text = g_strdup_printf("{\"tinker\": 1, \"blocks\": %s}", cases[i].blocks);
+        TinkerScene *scene = tinker_scene_read_text(tinker_document_catalogue(fixture->document), text, strlen(text),
+                                                    "scene", NULL, &error);
+        g_assert_null(scene);
+        g_assert_nonnull(error);
+        if (!g_str_has_suffix(error->message, cases[i].expected))
+            g_test_message("“%s” instead of “%s”", error->message, cases[i].expected);
+        g_assert_true(g_str_has_suffix(error->message, cases[i].expected));
+    }
+}
+
 static char *output_of_plan(const char *path, const char *locale)
 {
     const char *plan[] = {g_getenv("TINKER_PROGRAM"), "plan", path, "--method", "rk4", "--step", "0.3", NULL};
@@ -158,6 +194,7 @@ static void add_tests(void)
     g_test_add_func("/gui/translated-sentences/plan", test_plan);
     g_test_add_func("/gui/translated-sentences/run", test_run);
     g_test_add_func("/gui/translated-sentences/typed", test_typed);
+    g_test_add_func("/gui/translated-sentences/scene-file", test_scene_file);
     g_test_add_func("/gui/translated-sentences/command-line", test_command_line_stays_english);
 }
 

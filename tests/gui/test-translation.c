@@ -14,6 +14,11 @@
 #include "gui/text/number-text.h"
 #include "gui/text/translate.h"
 
+/* The description of the bundled scene "Spring-mass system". */
+#define BUNDLED                                                                                                        \
+    "A mass of 1 kg is let go at the unstretched end of a spring. It swings about the place where the spring carries " \
+    "its weight, 0.3924 m further down, with the period 2 pi sqrt(m/k) = 1.2566 s."
+
 static gboolean has_row(const GPtrArray *rows, const char *group, const char *title)
 {
     for (guint i = 0; i < rows->len; i++) {
@@ -28,21 +33,28 @@ static void test_descriptor_texts(void)
 {
     g_assert_cmpstr(tinker_translate("Mass"), ==, "Masse");
     g_assert_cmpstr(tinker_translate("Undeformed Length"), ==, "Ungedehnte Länge");
-    g_assert_cmpstr(tinker_translate_title("Spring-mass system"), ==, "Feder-Masse-System");
-    g_assert_cmpstr(tinker_translate_title("Restitution"), ==, "Stoßzahl");
-    g_assert_cmpstr(tinker_translate_title("Mass"), ==, "Mass"); /* the user's */
-    g_assert_null(tinker_translate_title(NULL));
+    g_assert_cmpstr(tinker_translate_title("Spring-mass system", BUNDLED), ==, "Feder-Masse-System");
+    g_assert_cmpstr(tinker_translate_title("Mass", BUNDLED), ==, "Mass"); /* the user's */
+    g_assert_null(tinker_translate_title(NULL, BUNDLED));
     g_assert_cmpstr(tinker_translate("Flux Capacitor"), ==, "Flux Capacitor");
     g_assert_cmpstr(tinker_translate("Distance to Mass"), ==, "Abstand zu Mass"); /* the user's name stays */
     g_assert_cmpstr(tinker_translate(""), ==, "");
     g_assert_null(tinker_translate(NULL));
 }
 
-/* A bundled scene is called in the title of the window as in the gallery; the scene keeps its title. */
+/* A bundled scene is called in the title of the window as in the gallery; the scene keeps its title. One of the user's
+ * that has the same title stays as it was typed. */
 static void test_name_of_a_bundled_scene(void)
 {
+    static const char *const own[] = {"'title': 'Spring-mass system', 'blocks': []",
+                                      "'title': 'Spring-mass system', 'description': 'Mine', 'blocks': []"};
     g_autoptr(GuiFixture) fixture = gui_fixture_new("");
-    gui_fixture_start_scene(fixture, "'title': 'Spring-mass system', 'blocks': []");
+    for (gsize i = 0; i < G_N_ELEMENTS(own); i++) {
+        gui_fixture_start_scene(fixture, own[i]);
+        g_autofree char *typed = tinker_document_name(fixture->document);
+        g_assert_cmpstr(typed, ==, "Spring-mass system");
+    }
+    gui_fixture_start_scene(fixture, "'title': 'Spring-mass system', 'description': '" BUNDLED "', 'blocks': []");
     g_autofree char *name = tinker_document_name(fixture->document);
     g_assert_cmpstr(name, ==, "Feder-Masse-System");
     g_assert_cmpstr(tinker_scene_head(tinker_document_scene(fixture->document))->title, ==, "Spring-mass system");
@@ -186,7 +198,7 @@ static void test_mistakes(void)
         if (!g_str_equal(topic->title, "Verbreitete Irrtümer")) continue;
         for (guint i = 0; i < topic->examples->len; i++, seen++) {
             const TinkerExample *example = g_ptr_array_index(topic->examples, i);
-            g_assert_cmpstr(tinker_translate_title(example->title), !=, example->title);
+            g_assert_cmpstr(tinker_translate_title(example->title, example->description), !=, example->title);
             g_assert_cmpstr(tinker_translate(example->description), !=, example->description);
         }
     }

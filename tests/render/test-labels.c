@@ -1,6 +1,7 @@
 /* Names of connectors: beside their symbols, whole and upon nothing, or not at all. What is drawn is read from
  * pictures. */
 #include <math.h>
+#include <string.h>
 
 #include "scene-fixture.h"
 #include "stage.h"
@@ -251,6 +252,74 @@ static void test_nets(void)
     }
 }
 
+/* No line from the middle of the picture to the nearest edge of a name goes through another name. */
+static void assert_leaders_are_clear(const TestStage *stage)
+{
+    static const double from[] = {TEST_STAGE_WIDTH / 2, TEST_STAGE_HEIGHT / 2};
+    for (guint i = 0; i < stage->written->len; i++) {
+        const double *to = ((TinkerWrittenText *)g_ptr_array_index(stage->written, i))->box;
+        const double end[] = {fmin(fmax(from[0], to[0]), to[2]), fmin(fmax(from[1], to[1]), to[3])};
+        for (guint k = 0; k < stage->written->len; k++) {
+            const double *other = ((TinkerWrittenText *)g_ptr_array_index(stage->written, k))->box;
+            for (int step = 0; k != i && step < 100; step++) {
+                const double x = from[0] + 0.01 * step * (end[0] - from[0]),
+                             y = from[1] + 0.01 * step * (end[1] - from[1]);
+                g_assert_false(x > other[0] && x < other[2] && y > other[1] && y < other[3]);
+            }
+        }
+    }
+}
+
+/* A small wheel on the axle of a large one, between two others: its name, which is written first where it is selected,
+ * is far off. */
+static void test_leaders(void)
+{
+    static const char blocks[] =
+        "{\"type\": \"support\", \"name\": \"Frame\", \"position\": [0, -1.2], \"width\": 0.4, \"height\": 0.2},"
+        "{\"type\": \"disc\", \"name\": \"Wheel 1\", \"radius\": 0.3, \"position\": [-1.2, 0]},"
+        "{\"type\": \"disc\", \"name\": \"Wheel 2\", \"radius\": 0.9},"
+        "{\"type\": \"disc\", \"name\": \"Wheel 3\", \"radius\": 0.25},"
+        "{\"type\": \"disc\", \"name\": \"Wheel 4\", \"radius\": 0.75, \"position\": [1, 0]}";
+    for (TinkerBlockId selected = 0; selected < 5; selected++) {
+        TestStage stage;
+        test_stage_open(&stage, blocks);
+        stage.view.scale = 26;
+        stage.options.show_labels = TRUE;
+        stage.options.selected = &selected;
+        stage.options.selected_count = 1;
+        test_stage_paint(&stage);
+        g_assert_cmpuint(stage.written->len, ==, 5);
+        assert_leaders_are_clear(&stage);
+        test_stage_close(&stage);
+    }
+}
+
+/* A name is not written beneath a panel that lies over the picture: it goes to another side of its body, or is left out
+ * where panels lie all around. */
+static void test_panels(void)
+{
+    TestStage stage;
+    test_stage_open(&stage, "{\"type\": \"mass\", \"name\": \"Bob\", \"position\": [0, 0]}");
+    stage.options.show_labels = TRUE;
+    test_stage_paint(&stage);
+    const TinkerWrittenText *free_name = test_stage_text(&stage, "Bob");
+    g_assert_nonnull(free_name);
+    g_autoptr(GPtrArray) texts = tinker_written_texts_new();
+    TinkerWrittenText *panel = g_new0(TinkerWrittenText, 1);
+    memcpy(panel->box, free_name->box, sizeof panel->box);
+    g_ptr_array_add(texts, panel);
+    stage.options.texts = texts;
+    test_stage_paint(&stage);
+    const TinkerWrittenText *moved = test_stage_text(&stage, "Bob");
+    g_assert_nonnull(moved);
+    g_assert_true(apart(moved, panel));
+    g_ptr_array_set_size(texts, 1);
+    memcpy(panel->box, (double[]){0, 0, TEST_STAGE_WIDTH, TEST_STAGE_HEIGHT}, sizeof panel->box);
+    test_stage_paint(&stage);
+    g_assert_null(test_stage_text(&stage, "Bob"));
+    test_stage_close(&stage);
+}
+
 static void add_tests(void)
 {
     g_test_add_func("/render/labels/beside", test_beside);
@@ -261,6 +330,8 @@ static void add_tests(void)
     g_test_add_func("/render/labels/pivot", test_pivot);
     g_test_add_func("/render/labels/steady", test_steady);
     g_test_add_func("/render/labels/nets", test_nets);
+    g_test_add_func("/render/labels/leaders", test_leaders);
+    g_test_add_func("/render/labels/panels", test_panels);
 }
 
 int main(int argc, char **argv)

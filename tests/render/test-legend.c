@@ -67,10 +67,60 @@ static void test_none(void)
     tinker_text_pen_clear(&pen);
 }
 
+/* What the legend of a narrow plot writes of labels that are too long. (transfer full) */
+static GPtrArray *labels_of(const char *const labels[], int count, gboolean *keeps_ends)
+{
+    const double x[2] = {0, 1}, y[2] = {0, 1};
+    TinkerCurve curves[3];
+    for (int i = 0; i < count; i++)
+        curves[i] = (TinkerCurve){.label = labels[i], .x = x, .y = y, .count = 2};
+    const TinkerPlot plot = {.curves = curves, .curve_count = count, .compact = TRUE};
+    GPtrArray *written = tinker_written_texts_new();
+    TinkerTextPen pen = TINKER_TEXT_PEN_INIT;
+    TinkerPlotLayout layout;
+    cairo_surface_t *surface = cairo_image_surface_create(CAIRO_FORMAT_ARGB32, 190, 150);
+    cairo_t *cairo = cairo_create(surface);
+    tinker_plot_lay_out(&layout, &plot, &pen, 190, 150);
+    layout.theme = tinker_theme_find("light");
+    *keeps_ends = layout.legend.keeps_ends;
+    pen.written = written;
+    tinker_plot_draw_legend(cairo, &layout);
+    for (guint i = 0; i < written->len; i++) {
+        const double *box = ((TinkerWrittenText *)g_ptr_array_index(written, i))->box;
+        g_assert_cmpfloat(box[2] - box[0], <=, layout.legend.limit + 1e-6);
+    }
+    tinker_plot_layout_clear(&layout);
+    tinker_text_pen_clear(&pen);
+    cairo_destroy(cairo);
+    cairo_surface_destroy(surface);
+    return written;
+}
+
+/* Where the ends tell labels apart, as names of runs do, these stay whole; where the beginnings do, those are read. */
+static void test_cut(void)
+{
+    static const char *const runs[] = {"The heavy disc on its way (Run 1)", "The heavy disc on its way (Run 2)"};
+    static const char *const quantities[] = {"Left mass: X Position", "Right mass: X Position",
+                                             "First spring: Tension"};
+    gboolean keeps_ends;
+    g_autoptr(GPtrArray) of_runs = labels_of(runs, 2, &keeps_ends);
+    g_assert_true(keeps_ends);
+    g_assert_cmpuint(of_runs->len, ==, 2);
+    for (guint i = 0; i < 2; i++) {
+        const char *text = ((TinkerWrittenText *)g_ptr_array_index(of_runs, i))->text;
+        g_assert_true(g_str_has_prefix(text, "The"));
+        g_assert_true(g_str_has_suffix(text, i == 0 ? "… (Run 1)" : "… (Run 2)"));
+    }
+    g_autoptr(GPtrArray) of_quantities = labels_of(quantities, 3, &keeps_ends);
+    g_assert_false(keeps_ends);
+    g_assert_cmpuint(of_quantities->len, ==, 3);
+}
+
 int main(int argc, char **argv)
 {
     g_test_init(&argc, &argv, NULL);
     g_test_add_func("/render/legend/place", test_place);
     g_test_add_func("/render/legend/none", test_none);
+    g_test_add_func("/render/legend/cut", test_cut);
     return g_test_run();
 }

@@ -16,7 +16,8 @@
 #define LEAST_SYMBOL    5.0 /* canvas units: in a scene drawn smaller, */
 #define FEW             12  /* bodies have names, but no more than these */
 #define NAME_LIMIT      160.0
-#define LEADER          0.75 /* width of the line to a name that is far off */
+#define LEADER          0.75 /* width of the line to a name that is far off, */
+#define CROSSES         5.0  /* and what it costs that it goes through another name, or beneath a panel */
 #define KEEPS           1.0  /* what a name may cover of a drawing before it leaves its place in a film */
 #define COVERS          0.25 /* and the most that one covers of drawings in a place that is new to it */
 #define KEEPS_CONNECTOR 0.3  /* and that of a connector, before it is left out */
@@ -67,12 +68,27 @@ static double covered_by(const Labels *labels, const TinkerNamed *named, int num
                 tinker_occupancy_share(&labels->map, clear, TINKER_TAKEN_BY_DRAWING));
 }
 
+/* Whether the line that leads to a far name in this box goes through what is written. */
+static gboolean leader_crosses(const Labels *labels, const TinkerNamed *named, const double box[4])
+{
+    double line[4];
+    tinker_named_leader(named, box, line);
+    const int steps = (int)fmin(ceil(hypot(line[2] - line[0], line[3] - line[1]) / CELL), 100);
+    for (int i = 0; i < steps; i++) {
+        const double t = (i + 0.5) / steps, x = line[0] + t * (line[2] - line[0]),
+                     y = line[1] + t * (line[3] - line[1]);
+        if (tinker_occupancy_share(&labels->map, (double[]){x, y, x, y}, TINKER_TAKEN_BY_TEXT) > 0) return TRUE;
+    }
+    return FALSE;
+}
+
 /* What it costs that a name stands in a place, whose box is filled in. */
 static double place_cost(const Labels *labels, const TinkerNamed *named, int number, double box[4])
 {
     double drawing = covered_by(labels, named, number, box);
     double text = tinker_occupancy_share(&labels->map, box, TINKER_TAKEN_BY_TEXT);
-    return 10 * text + drawing + tinker_named_free_cost(named, number);
+    double crosses = tinker_named_is_far(named, number) && leader_crosses(labels, named, box) ? CROSSES : 0;
+    return 10 * text + drawing + crosses + tinker_named_free_cost(named, number);
 }
 
 /* The cheapest of the places, of which there is one; the one of the picture before, `kept`, stays unless something has
@@ -108,10 +124,13 @@ static gboolean may_stand(const Labels *labels, const TinkerNamed *named, int ch
     return named->is_line && covers <= (chosen == kept ? KEEPS_CONNECTOR : 0);
 }
 
-static void draw_leader(cairo_t *cairo, const TinkerNamed *named, const double box[4])
+/* Other names keep clear of it as well. */
+static void draw_leader(Labels *labels, const TinkerNamed *named, const double box[4])
 {
+    cairo_t *cairo = labels->picture->cairo;
     double line[4];
     tinker_named_leader(named, box, line);
+    tinker_occupancy_take_line(&labels->map, line[0], line[1], line[2], line[3], LEADER, TINKER_TAKEN_BY_TEXT);
     cairo_move_to(cairo, line[0], line[1]);
     cairo_line_to(cairo, line[2], line[3]);
     cairo_set_line_width(cairo, LEADER);
@@ -143,7 +162,7 @@ static void write_name(Labels *labels, const TinkerPiece *piece, gboolean wanted
     }
     const double *c = picture->options->theme->colours[TINKER_COLOUR_TEXT];
     cairo_set_source_rgba(picture->cairo, c[0], c[1], c[2], c[3]);
-    if (tinker_named_is_far(&named, chosen)) draw_leader(picture->cairo, &named, best);
+    if (tinker_named_is_far(&named, chosen)) draw_leader(labels, &named, best);
     tinker_text_draw(&picture->brush.pen, picture->cairo, &name, best[0], best[1]);
     tinker_occupancy_take_box(&labels->map, best, TINKER_TAKEN_BY_TEXT);
 }

@@ -36,6 +36,7 @@ typedef struct {
     const TinkerPaintOptions *options;
     TinkerStyleBrush brush;
     int32_t block_count, id_limit;
+    guint panels;                   /* of the options' texts, those that were there before */
     guint8 *selected;               /* by id: 1 where the options select it; NULL: none is */
     GArray *visible[TINKER_LAYERS]; /* of TinkerBlockId: what lies on the canvas, in drawing order */
     GArray *bodies;                 /* likewise: those of them with a place, in the scene's order */

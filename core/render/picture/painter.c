@@ -250,13 +250,16 @@ static void draw_time(TinkerPicture *picture, double box[4])
 /* What belongs to the canvas: fields, title and time, then names where there is room beside them. */
 static void draw_canvas(TinkerPicture *picture)
 {
-    double taken[3][4] = {{0}};
-    double width = picture->view->width;
+    const guint panels = picture->panels;
+    g_autofree double(*taken)[4] = g_malloc0((panels + 3) * sizeof *taken);
+    const double width = picture->view->width;
+    for (guint i = 0; i < panels; i++)
+        memcpy(taken[3 + i], ((TinkerWrittenText *)g_ptr_array_index(picture->options->texts, i))->box, sizeof *taken);
     if (picture->options->only == NULL) tinker_picture_draw_fields(picture, taken[0]);
     TinkerText title = tinker_picture_title(picture->frame, width, taken[0][2]);
     if (picture->options->show_title) write_text(picture, &title, width / 2, CORNER, taken[1]);
     if (picture->options->show_time) draw_time(picture, taken[2]);
-    if (picture->options->show_labels) tinker_picture_draw_labels(picture, taken, G_N_ELEMENTS(taken));
+    if (picture->options->show_labels) tinker_picture_draw_labels(picture, taken, (int)panels + 3);
 }
 
 static void draw_world(TinkerPicture *picture)
@@ -275,6 +278,7 @@ void tinker_paint_scene_noting(cairo_t *cairo, TinkerFrame *frame, const TinkerV
 {
     TinkerPicture picture = {.caller = cairo, .frame = frame, .view = view, .options = options};
     picture.block_count = tinker_scene_block_count(tinker_frame_scene(frame));
+    picture.panels = options->texts != NULL ? options->texts->len : 0;
     double symbol = tinker_painter_symbol_size(frame, view->scale);
     tinker_frame_set_symbol_size(frame, symbol);
     tinker_style_begin(&picture.brush, cairo, options->theme, view, symbol);

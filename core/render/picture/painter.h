@@ -30,7 +30,8 @@ typedef struct {
     void (*over)(cairo_t *cairo, const TinkerView *view, const TinkerTheme *theme, void *data);
     void (*under)(cairo_t *cairo, const TinkerView *view, const TinkerTheme *theme, void *data);
     void *over_data;  /* of the two */
-    GPtrArray *texts; /* receives what is written (TinkerWrittenText), for `over` to keep clear of; NULL: not wanted */
+    GPtrArray *texts; /* receives what is written (TinkerWrittenText), for `over` to keep clear of; names keep clear of
+                       * what is in it before, such as panels of a window over the picture. NULL: not wanted */
     GHashTable *faults; /* block class to text (owned): what drawings did to the context that they must not do, with the
                          * block's name, once a class. NULL: it is not told */
 } TinkerPaintOptions;

@@ -2,6 +2,7 @@
  * and where there is no room beside it, over the curves where it hides least, on a ground that lets them through a
  * little. */
 #include <math.h>
+#include <string.h>
 
 #include "render/draw/occupancy.h"
 #include "render/plot/plot-private.h"
@@ -12,6 +13,7 @@
 #define WIDEST_COMPACT 0.65
 #define WIDEST_ASIDE   0.3  /* of the picture: likewise of a legend beside the plot */
 #define LEAST_ASIDE    90.0 /* a narrower legend beside the plot says too little */
+#define DOTS           "…"
 
 static const char *label_of(const TinkerPlotLayout *layout, int curve)
 {
@@ -39,6 +41,58 @@ static double widest_label(TinkerPlotLayout *layout, double limit)
         widest = fmax(widest, width);
     }
     return widest;
+}
+
+static double width_of(const TinkerPlotLayout *layout, const char *text)
+{
+    const TinkerText whole = {.text = text, .size = layout->sizes->tick_text};
+    double width, height;
+    tinker_text_measure(layout->pen, &whole, &width, &height);
+    return width;
+}
+
+/* Whether what two labels begin with alike is as much as is seen of them where their ends are cut. */
+static gboolean begin_alike(const TinkerPlotLayout *layout, const char *a, const char *b, double seen)
+{
+    gsize alike = 0;
+    while (a[alike] != '\0' && a[alike] == b[alike])
+        alike++;
+    if (a[alike] == b[alike]) return FALSE; /* nothing tells these apart */
+    while ((a[alike] & 0xC0) == 0x80)
+        alike--;
+    g_autofree char *beginning = g_strndup(a, alike);
+    return width_of(layout, beginning) > seen;
+}
+
+/* Of the entries that are shown. */
+static gboolean must_keep_ends(const TinkerPlotLayout *layout)
+{
+    const double seen = layout->legend.limit - width_of(layout, DOTS);
+    const char *labels[64];
+    int count = 0;
+    for (int i = 0; i < layout->plot->curve_count && count < MIN(layout->legend.entries, (int)G_N_ELEMENTS(labels));
+         i++)
+        if (label_of(layout, i)) labels[count++] = label_of(layout, i);
+    for (int i = 0; i < count; i++)
+        for (int k = 0; k < i; k++)
+            if (begin_alike(layout, labels[i], labels[k], seen)) return TRUE;
+    return FALSE;
+}
+
+/* A label that is too long and ends with something in brackets, as the name of a run, keeps that whole; NULL where it
+ * cannot. (transfer full) */
+static char *cut_before_brackets(const TinkerPlotLayout *layout, const char *label)
+{
+    const char *brackets = g_strrstr(label, " (");
+    if (brackets == NULL || brackets == label) return NULL;
+    g_autofree char *name = g_strndup(label, (gsize)(brackets - label)), *tail = g_strconcat(DOTS, brackets, NULL);
+    const double room = layout->legend.limit - width_of(layout, tail);
+    glong letters = (glong)(fmin(room / width_of(layout, name), 1) * (double)g_utf8_strlen(name, -1));
+    for (; letters > 0; letters--) {
+        g_autofree char *begin = g_utf8_substring(name, 0, letters), *cut = g_strconcat(begin, tail, NULL);
+        if (width_of(layout, cut) <= layout->legend.limit) return g_steal_pointer(&cut);
+    }
+    return NULL;
 }
 
 typedef struct {
@@ -121,10 +175,12 @@ void tinker_plot_place_legend(TinkerPlotLayout *layout)
     double share = find_inside(layout, width, height);
     double aside = fmin(width, WIDEST_ASIDE * layout->width);
     legend->kind = TINKER_LEGEND_INSIDE;
-    if (share <= 0 || layout->plot->compact || aside < fmin(width, LEAST_ASIDE)) return;
-    legend->kind = TINKER_LEGEND_OUTSIDE;
-    legend->limit = fmin(legend->limit, aside - layout->sizes->legend_sample - 3 * INNER);
-    legend->box[2] = legend->box[0] + aside;
+    if (share > 0 && !layout->plot->compact && aside >= fmin(width, LEAST_ASIDE)) {
+        legend->kind = TINKER_LEGEND_OUTSIDE;
+        legend->limit = fmin(legend->limit, aside - layout->sizes->legend_sample - 3 * INNER);
+        legend->box[2] = legend->box[0] + aside;
+    }
+    legend->keeps_ends = must_keep_ends(layout);
 }
 
 static void draw_entry(cairo_t *cairo, const TinkerPlotLayout *layout, int curve, double x, double y)
@@ -142,10 +198,13 @@ static void draw_entry(cairo_t *cairo, const TinkerPlotLayout *layout, int curve
 static void draw_label(cairo_t *cairo, const TinkerPlotLayout *layout, const char *label, double x, double y)
 {
     const double *c = layout->theme->colours[TINKER_COLOUR_TEXT];
-    TinkerText text = {.text = label,
+    const TinkerLegend *legend = &layout->legend;
+    const gboolean is_cut = legend->keeps_ends && width_of(layout, label) > legend->limit;
+    g_autofree char *cut = is_cut ? cut_before_brackets(layout, label) : NULL;
+    TinkerText text = {.text = cut != NULL ? cut : label,
                        .size = layout->sizes->tick_text,
-                       .limit = layout->legend.limit,
-                       .keeps_end = TRUE,
+                       .limit = legend->limit,
+                       .keeps_end = legend->keeps_ends,
                        .anchor_y = 0.5};
     cairo_set_source_rgba(cairo, c[0], c[1], c[2], c[3]);
     tinker_text_draw(layout->pen, cairo, &text, x + layout->sizes->legend_sample + INNER, y);

@@ -70,8 +70,9 @@ typedef enum { TINKER_LEGEND_NONE, TINKER_LEGEND_INSIDE, TINKER_LEGEND_OUTSIDE }
 typedef struct {
     TinkerLegendKind kind;
     double box[4];
-    int entries;  /* that are shown; more are counted in a last line */
-    double limit; /* width of a label */
+    int entries;         /* that are shown; more are counted in a last line */
+    double limit;        /* width of a label, */
+    gboolean keeps_ends; /* of which a longer one keeps its end: beginnings alone would not tell them apart */
 } TinkerLegend;
 
 /* Everything about a plot but its ink. */

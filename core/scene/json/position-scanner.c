@@ -2,6 +2,7 @@
  * duplicates when their object closes, pair by pair in a small object, through a hash table in a large one. */
 #include "scene/json/position-scanner.h"
 
+#include <glib/gi18n-lib.h>
 #include <string.h>
 
 #include <cjson/cJSON.h>
@@ -73,30 +74,31 @@ static gsize word_length(const Scanner *s)
 static gboolean fail_expected(Scanner *s, const char *expected)
 {
     if (s->at == 0 && s->length >= 3 && memcmp(s->text, "\xEF\xBB\xBF", 3) == 0)
-        return fail(s, 0, "the text begins with a byte-order mark (save it as UTF-8 without one)");
-    if (s->at >= s->length) return fail(s, s->at, "not JSON: %s was expected, but the text ends here", expected);
+        return fail(s, 0, _("the text begins with a byte-order mark (save it as UTF-8 without one)"));
+    if (s->at >= s->length) return fail(s, s->at, _("not JSON: %s was expected, but the text ends here"), expected);
     const char *from = s->text + s->at;
     gsize before = s->at;
     while ((*from == ']' || *from == '}') && before > 0 && strchr(" \n\r\t", s->text[before - 1]) != NULL)
         before--;
     if ((*from == ']' || *from == '}') && before > 0 && s->text[before - 1] == ',')
-        return fail(s, before - 1, "not JSON: a comma stands before '%c' (take it out)", *from);
+        return fail(s, before - 1, _("not JSON: a comma stands before '%c' (take it out)"), *from);
     gsize word = word_length(s);
-    if (word > 0) return fail(s, s->at, "not JSON: %s was expected, \"%.*s\" found", expected, (int)word, from);
+    if (word > 0) return fail(s, s->at, _("not JSON: %s was expected, \"%.*s\" found"), expected, (int)word, from);
     gunichar c = g_utf8_get_char_validated(from, (gssize)(s->length - s->at));
     if (c == (gunichar)-1 || c == (gunichar)-2)
-        return fail(s, s->at, "not UTF-8: byte 0x%02X cannot stand here", (guchar)*from);
-    if (!g_unichar_isprint(c)) return fail(s, s->at, "not JSON: %s was expected, U+%04X found", expected, c);
-    return fail(s, s->at, "not JSON: %s was expected, '%.*s' found", expected, (int)(g_utf8_next_char(from) - from),
+        return fail(s, s->at, _("not UTF-8: byte 0x%02X cannot stand here"), (guchar)*from);
+    if (!g_unichar_isprint(c)) return fail(s, s->at, _("not JSON: %s was expected, U+%04X found"), expected, c);
+    return fail(s, s->at, _("not JSON: %s was expected, '%.*s' found"), expected, (int)(g_utf8_next_char(from) - from),
                 from);
 }
 
 static gboolean fail_key(Scanner *s)
 {
-    const char *expected = "a key in double quotes";
+    const char *expected = _("a key in double quotes");
     gsize word = word_length(s);
     if (word == 0) return fail_expected(s, expected);
-    return fail(s, s->at, "not JSON: %s was expected, found %.*s without quotes", expected, (int)word, s->text + s->at);
+    return fail(s, s->at, _("not JSON: %s was expected, found %.*s without quotes"), expected, (int)word,
+                s->text + s->at);
 }
 
 /* The four digits behind \u, or -1. */
@@ -120,15 +122,16 @@ static gboolean scan_escape(Scanner *s)
     if (c != -1 && c != 0 && strchr("\"\\/bfnrt", c) != NULL) return TRUE;
     if (c != 'u')
         return fail(s, start,
-                    "not JSON: a backslash is followed by one of \" \\ / b f n r t u (write \\\\ for a backslash)");
+                    _("not JSON: a backslash is followed by one of \" \\ / b f n r t u (write \\\\ for a backslash)"));
     int unit = hex4(s, s->at);
-    if (unit < 0) return fail(s, start, "not JSON: \\u is followed by four hexadecimal digits");
-    if (unit == 0) return fail(s, start, "the character U+0000 cannot stand in a text of a scene");
+    if (unit < 0) return fail(s, start, _("not JSON: \\u is followed by four hexadecimal digits"));
+    if (unit == 0) return fail(s, start, _("the character U+0000 cannot stand in a text of a scene"));
     s->at += 4;
     if (unit < 0xD800 || unit > 0xDFFF) return TRUE;
     gboolean pair = unit < 0xDC00 && s->at + 1 < s->length && s->text[s->at] == '\\' && s->text[s->at + 1] == 'u';
     int second = pair ? hex4(s, s->at + 2) : -1;
-    if (second < 0xDC00 || second > 0xDFFF) return fail(s, start, "\\u%04X is half of a surrogate pair", (guint)unit);
+    if (second < 0xDC00 || second > 0xDFFF)
+        return fail(s, start, _("\\u%04X is half of a surrogate pair"), (guint)unit);
     s->at += 6;
     return TRUE;
 }
@@ -140,20 +143,21 @@ static gboolean scan_string(Scanner *s, gboolean *escaped)
     *escaped = FALSE;
     for (;;) {
         int c = peek(s);
-        if (c == -1) return fail(s, start, "not JSON: a text that begins here has no closing quote");
+        if (c == -1) return fail(s, start, _("not JSON: a text that begins here has no closing quote"));
         if (c == '"') break;
         if (c == '\\') {
             *escaped = TRUE;
             if (!scan_escape(s)) return FALSE;
         } else if (c < 0x20) {
-            return fail(s, s->at, "not JSON: a control character (U+%04X) in a text must be written as \\u%04X", c, c);
+            return fail(s, s->at, _("not JSON: a control character (U+%04X) in a text must be written as \\u%04X"), c,
+                        c);
         } else if (c < 0x80) {
             s->at++;
         } else {
             const char *from = s->text + s->at;
             gunichar wide = g_utf8_get_char_validated(from, (gssize)(s->length - s->at));
             if (wide == (gunichar)-1 || wide == (gunichar)-2)
-                return fail(s, s->at, "not UTF-8: byte 0x%02X cannot stand here", (guint)c);
+                return fail(s, s->at, _("not UTF-8: byte 0x%02X cannot stand here"), (guint)c);
             s->at += (gsize)(g_utf8_next_char(from) - from);
         }
     }
@@ -166,7 +170,7 @@ static gboolean scan_digits(Scanner *s)
     gsize start = s->at;
     while (s->at < s->length && g_ascii_isdigit(s->text[s->at]))
         s->at++;
-    return s->at > start || fail_expected(s, "a digit");
+    return s->at > start || fail_expected(s, _("a digit"));
 }
 
 static gboolean scan_number(Scanner *s)
@@ -178,7 +182,7 @@ static gboolean scan_number(Scanner *s)
     else if (!scan_digits(s))
         return FALSE;
     if (g_ascii_isdigit(peek(s) == -1 ? ' ' : peek(s)))
-        return fail(s, start, "not JSON: a number must not begin with a zero that means nothing");
+        return fail(s, start, _("not JSON: a number must not begin with a zero that means nothing"));
     if (peek(s) == '.') {
         s->at++;
         if (!scan_digits(s)) return FALSE;
@@ -189,7 +193,7 @@ static gboolean scan_number(Scanner *s)
         if (!scan_digits(s)) return FALSE;
     }
     if (s->at - start > JSON_LONGEST_NUMBER)
-        return fail(s, start, "a number of more than %d characters (17 digits say all that is kept)",
+        return fail(s, start, _("a number of more than %d characters (17 digits say all that is kept)"),
                     JSON_LONGEST_NUMBER);
     return TRUE;
 }
@@ -204,7 +208,7 @@ static gboolean scan_word(Scanner *s, const char *word)
             return TRUE;
         }
     }
-    return fail_expected(s, "a value");
+    return fail_expected(s, _("a value"));
 }
 
 /* Duplicate keys ----------------------------------------------------------------------------------------------- */
@@ -270,7 +274,7 @@ static gboolean scan_key(Scanner *s)
     g_array_append_val(s->keys, key);
     if (s->depth == 1) s->in_blocks = json_key_is(s->text, &(JsonPart){.key = s->key_at}, "blocks");
     skip_space(s);
-    if (peek(s) != ':') return fail_expected(s, "':' behind a key");
+    if (peek(s) != ':') return fail_expected(s, _("':' behind a key"));
     s->at++;
     return TRUE;
 }
@@ -286,7 +290,7 @@ static void value_ended(Scanner *s, JsonPart part)
 static gboolean open_container(Scanner *s, gboolean object, JsonPart part)
 {
     if (s->depth == JSON_MOST_DEPTH)
-        return fail(s, s->at, "arrays and objects are nested more than %d deep", JSON_MOST_DEPTH);
+        return fail(s, s->at, _("arrays and objects are nested more than %d deep"), JSON_MOST_DEPTH);
     s->frames[s->depth++] = (Frame){object, s->keys->len, part};
     s->at++;
     return TRUE;
@@ -334,7 +338,7 @@ static gboolean scan_behind_value(Scanner *s, gboolean *more)
             close_container(s);
             continue;
         }
-        if (c != ',') return fail_expected(s, object ? "',' or '}'" : "',' or ']'");
+        if (c != ',') return fail_expected(s, object ? _("',' or '}'") : _("',' or ']'"));
         s->at++;
         *more = TRUE;
         return !object || scan_key(s);
@@ -359,7 +363,7 @@ static gboolean scan_document(Scanner *s)
         if (!scan_behind_value(s, &more)) return FALSE;
     }
     skip_space(s);
-    return s->at == s->length || fail_expected(s, "the end of the text");
+    return s->at == s->length || fail_expected(s, _("the end of the text"));
 }
 
 static int compare_offsets(gconstpointer a, gconstpointer b)

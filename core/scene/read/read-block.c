@@ -1,4 +1,5 @@
 /* Reading one block: its type, name and keys. What names another block is in read-ends.c. */
+#include <glib/gi18n-lib.h>
 #include <string.h>
 
 #include "scene/frame/tops.h"
@@ -93,17 +94,17 @@ static gboolean check_end_count(SceneReader *reader, const BlockMembers *members
     if (type->most_ends == type->least_ends)
         wanted = g_strdup_printf("%d", type->least_ends);
     else if (type->most_ends < 0)
-        wanted = g_strdup_printf("at least %d", type->least_ends);
+        wanted = g_strdup_printf(_("at least %d"), type->least_ends);
     else
-        wanted = g_strdup_printf("%d to %d", type->least_ends, type->most_ends);
-    const char *plural = g_str_equal(wanted, "1") || g_str_equal(wanted, "at least 1") ? "" : "s";
-    const char *article = strchr("aeiou", type->id[0]) != NULL ? "an" : "a";
+        wanted = g_strdup_printf(_("%d to %d"), type->least_ends, type->most_ends);
+    const gboolean one = type->least_ends == 1 && (type->most_ends == 1 || type->most_ends < 0);
+    g_autofree char *block = g_strdup_printf(strchr("aeiou", type->id[0]) != NULL ? _("an %s") : _("a %s"), type->id);
     JsonAt place = members->ends == NULL ? at : at_child(at, members->ends_step);
     if (type->most_ends == 0)
-        return reader_error(reader, place, TINKER_SCENE_ERROR_END, "ends: %s %s has no ends, %d given", article,
-                            type->id, given);
-    return reader_error(reader, place, TINKER_SCENE_ERROR_END, "ends: %s %s has %s end%s, %d given", article, type->id,
-                        wanted, plural, given);
+        return reader_error(reader, place, TINKER_SCENE_ERROR_END, _("ends: %s has no ends, %d given"), block, given);
+    return reader_error(reader, place, TINKER_SCENE_ERROR_END,
+                        ngettext("ends: %s has %s end, %d given", "ends: %s has %s ends, %d given", one ? 1 : 2), block,
+                        wanted, given);
 }
 
 /* Makes the block's row with as many ends as are given, where that many are allowed. `read_ends` says whether they are
@@ -115,7 +116,7 @@ static TinkerBlockId add_row(SceneReader *reader, const BlockMembers *members, J
     int given = cJSON_IsArray(members->ends) ? cJSON_GetArraySize(members->ends) : 0;
     if (members->ends != NULL && !cJSON_IsArray(members->ends))
         *read_ends =
-            reader_wrong_kind(reader, members->ends, at_child(at, members->ends_step), "ends", "an array of ends");
+            reader_wrong_kind(reader, members->ends, at_child(at, members->ends_step), "ends", _("an array of ends"));
     else
         *read_ends = check_end_count(reader, members, at, type, given) && given > 0;
     return scene_append(reader->scene, block_class, *read_ends ? given : MAX(type->least_ends, 0), NULL);
@@ -144,7 +145,7 @@ static void keep_unknown(SceneReader *reader, JsonAt at, const char *key, const 
     for (int32_t p = 0; p < block_class->property_count; p++) {
         const char *symbol = block_class->properties[p].symbol;
         if (symbol == NULL || g_ascii_strcasecmp(symbol, key) != 0) continue;
-        g_autofree char *meant = g_strdup_printf(" (did you mean \"%s\"?)", block_class->properties[p].id);
+        g_autofree char *meant = g_strdup_printf(_(" (did you mean \"%s\"?)"), block_class->properties[p].id);
         reader_keep_member(reader, at, key, meant, unknown);
         return;
     }
@@ -219,7 +220,7 @@ static void read_object(SceneReader *reader, const cJSON *json, const JsonPart *
 
     const char *name = read_name(reader, &members, at);
     if (members.type == NULL)
-        reader_error(reader, at, TINKER_SCENE_ERROR_SYNTAX, "the key \"type\" is missing");
+        reader_error(reader, at, TINKER_SCENE_ERROR_SYNTAX, _("the key \"type\" is missing"));
     else if (type_id == NULL)
         reader_text(reader, members.type, at_child(at, members.type_step), "type");
     ReaderType *type = type_id == NULL ? NULL : find_type(reader, type_id);
@@ -244,8 +245,9 @@ void reader_count_missing(SceneReader *reader)
         const ReaderType *type = value;
         if (type->blocks < 2) continue;
         ReaderFinding *finding = &g_array_index(reader->findings, ReaderFinding, type->finding);
-        char *whole = g_strdup_printf("%s; %d more block%s of it", finding->message, type->blocks - 1,
-                                      type->blocks == 2 ? " is" : "s are");
+        char *whole = g_strdup_printf(
+            ngettext("%s; %d more block is of it", "%s; %d more blocks are of it", (gulong)type->blocks - 1),
+            finding->message, type->blocks - 1);
         g_free(finding->message);
         finding->message = whole;
     }
@@ -260,6 +262,6 @@ void reader_block(SceneReader *reader, int number)
     if (cJSON_IsObject(json))
         read_object(reader, json, part, number);
     else
-        reader_error_at(reader, part->start, TINKER_SCENE_ERROR_VALUE, "a block is an object, {\"type\": ...}");
+        reader_error_at(reader, part->start, TINKER_SCENE_ERROR_VALUE, _("a block is an object, {\"type\": ...}"));
     cJSON_Delete(json);
 }

@@ -1,4 +1,6 @@
 /* Reading ends, and joining them to the blocks that they name, which may come later in the file. */
+#include <glib/gi18n-lib.h>
+
 #include "scene/value/reader.h"
 
 /* Joins an end to a block, or says why not. */
@@ -54,7 +56,7 @@ static void read_object(SceneReader *reader, const cJSON *json, JsonAt at, const
         g_hash_table_insert(reader->scene->end_extras, scene_end_key(end.block, end.end),
                             g_string_free(unknown, FALSE));
     if (name == NULL) {
-        reader_error(reader, at, TINKER_SCENE_ERROR_END, "%s: an end that is an object names its \"block\"", what);
+        reader_error(reader, at, TINKER_SCENE_ERROR_END, _("%s: an end that is an object names its \"block\""), what);
     } else if (good) {
         const SceneTable *table = scene_table_of(reader->scene, end.block);
         TinkerSceneEnd *stored = &scene_table_ends(table, scene_slot(reader->scene, end.block)->row)[end.end];
@@ -84,13 +86,13 @@ void reader_ends(SceneReader *reader, const cJSON *json, JsonAt at, TinkerBlockI
             continue;
         }
         char what[32];
-        g_snprintf(what, sizeof what, "end %d", number + 1);
+        g_snprintf(what, sizeof what, _("end %d"), number + 1);
         if (cJSON_IsObject(member))
             read_object(reader, member, end_at, what, end);
         else if (cJSON_IsArray(member))
             read_detached(reader, member, end_at, what, block, number);
         else
-            reader_wrong_kind(reader, member, end_at, what, "the name of a block, an object or a place");
+            reader_wrong_kind(reader, member, end_at, what, _("the name of a block, an object or a place"));
     }
 }
 
@@ -117,7 +119,7 @@ void reader_finish_blocks(SceneReader *reader)
             continue;
         }
         g_autofree char *suggestion = reader_suggest_block(reader, end->name);
-        reader_error(reader, end->name_at, TINKER_SCENE_ERROR_END, "end %d names no block \"%s\"%s", end->end + 1,
+        reader_error(reader, end->name_at, TINKER_SCENE_ERROR_END, _("end %d names no block \"%s\"%s"), end->end + 1,
                      end->name, suggestion);
     }
     reader_finish_places_on(reader);

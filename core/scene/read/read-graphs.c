@@ -1,4 +1,5 @@
 /* Reading graphs: which quantity of which block, and where the graph stands on the canvas. */
+#include <glib/gi18n-lib.h>
 #include <math.h>
 
 #include "scene/store/quantities.h"
@@ -34,7 +35,7 @@ static void read_column(SceneReader *reader, const cJSON *json, JsonAt at, int *
     if (number >= 0 && number <= TINKER_TABLE_MOST_COLUMN && number == floor(number))
         *column = (int)number;
     else
-        reader_error(reader, at, TINKER_SCENE_ERROR_VALUE, "%s must be a whole number from 0", json->string);
+        reader_error(reader, at, TINKER_SCENE_ERROR_VALUE, _("%s must be a whole number from 0"), json->string);
 }
 
 /* A member of a curve; FALSE where it is none. */
@@ -99,7 +100,7 @@ static void read_curves(SceneReader *reader, const cJSON *json, JsonAt at, ReadG
     read->curves_at = at;
     read->curves = g_array_new(FALSE, FALSE, sizeof(ReadCurve));
     if (!cJSON_IsArray(json)) {
-        reader_wrong_kind(reader, json, at, "curves", "an array");
+        reader_wrong_kind(reader, json, at, "curves", _("an array"));
         return;
     }
     int number = 0;
@@ -109,7 +110,7 @@ static void read_curves(SceneReader *reader, const cJSON *json, JsonAt at, ReadG
         int step = 0;
         if (!cJSON_IsObject(entry)) {
             reader_error(reader, curve.at, TINKER_SCENE_ERROR_VALUE,
-                         "a curve is an object, {\"block\": ..., \"quantity\": ...} or {\"expression\": ...}");
+                         _("a curve is an object, {\"block\": ..., \"quantity\": ...} or {\"expression\": ...}"));
             scene_curve_free(curve.curve);
             continue;
         }
@@ -117,7 +118,7 @@ static void read_curves(SceneReader *reader, const cJSON *json, JsonAt at, ReadG
             read_entry_member(reader, member, at_child(curve.at, step), &curve, &unknown);
         if (curve.curve->column == curve.curve->time_column)
             reader_error(reader, curve.at, TINKER_SCENE_ERROR_VALUE,
-                         "column must be another one than that of the time (%d)", curve.curve->time_column);
+                         _("column must be another one than that of the time (%d)"), curve.curve->time_column);
         curve.curve->extras = unknown == NULL ? NULL : g_string_free(unknown, FALSE);
         g_array_append_val(read->curves, curve);
     }
@@ -127,7 +128,7 @@ static void read_curves(SceneReader *reader, const cJSON *json, JsonAt at, ReadG
 static gboolean is_pair(SceneReader *reader, const cJSON *json, JsonAt at, const char *what)
 {
     if (cJSON_IsArray(json) && cJSON_GetArraySize(json) == 2) return TRUE;
-    return reader_error(reader, at, TINKER_SCENE_ERROR_VALUE, "%s must be an array of two: of x and of y", what);
+    return reader_error(reader, at, TINKER_SCENE_ERROR_VALUE, _("%s must be an array of two: of x and of y"), what);
 }
 
 static void read_scale(SceneReader *reader, const cJSON *json, JsonAt at, TinkerSceneGraph *graph)
@@ -200,13 +201,13 @@ static gboolean check_block(SceneReader *reader, const ReadGraph *graph, const R
     TinkerBlockId block;
     gboolean good = !read->wrong;
     if (read->block_at.depth == 0)
-        good = reader_error(reader, read->at, TINKER_SCENE_ERROR_SYNTAX, "the key \"block\" is missing");
+        good = reader_error(reader, read->at, TINKER_SCENE_ERROR_SYNTAX, _("the key \"block\" is missing"));
     if (read->quantity_at.depth == 0)
-        good = reader_error(reader, read->at, TINKER_SCENE_ERROR_SYNTAX, "the key \"quantity\" is missing");
+        good = reader_error(reader, read->at, TINKER_SCENE_ERROR_SYNTAX, _("the key \"quantity\" is missing"));
     if (curve->block == NULL) return FALSE;
     if (!tinker_scene_find_owner(reader->scene, curve->block, &block)) {
         g_autofree char *suggestion = reader_suggest_block(reader, curve->block);
-        return reader_error(reader, read->block_at, TINKER_SCENE_ERROR_VALUE, "block: there is no block \"%s\"%s",
+        return reader_error(reader, read->block_at, TINKER_SCENE_ERROR_VALUE, _("block: there is no block \"%s\"%s"),
                             curve->block, suggestion);
     }
     if (curve->quantity != NULL)
@@ -223,7 +224,7 @@ static gboolean check_curve(SceneReader *reader, const ReadGraph *graph, const R
     const int kinds = quantity + (read->expression_at.depth > 0) + (read->table_at.depth > 0);
     if (kinds != 1)
         return reader_error(reader, read->at, TINKER_SCENE_ERROR_VALUE,
-                            "a curve has either \"block\" and \"quantity\", or \"expression\", or \"table\"");
+                            _("a curve has either \"block\" and \"quantity\", or \"expression\", or \"table\""));
     if (quantity && !check_block(reader, graph, read)) return FALSE;
     if (read->wrong) return FALSE;
     g_autofree char *fault = scene_curve_fault(reader->scene, graph->graph, curve);
@@ -241,7 +242,7 @@ static void check_table(SceneReader *reader, const ReadCurve *read)
     g_autoptr(GError) error = NULL;
     if (read->curve->table == NULL || reader->folder == NULL) return;
     g_autofree char *path = reader_table_path(reader->folder, read->curve->table, &error);
-    if (path == NULL) reader_error(reader, read->table_at, TINKER_SCENE_ERROR_FILE, "table: %s", error->message);
+    if (path == NULL) reader_error(reader, read->table_at, TINKER_SCENE_ERROR_FILE, _("table: %s"), error->message);
 }
 
 static void check_graph(SceneReader *reader, JsonAt at, ReadGraph *read)
@@ -249,9 +250,9 @@ static void check_graph(SceneReader *reader, JsonAt at, ReadGraph *read)
     if (read->curves != NULL && read->own.given)
         reader_error(reader, read->own.block_at.depth > 0 ? read->own.block_at : read->own.quantity_at,
                      TINKER_SCENE_ERROR_VALUE,
-                     "\"curves\" and \"block\" exclude each other (a curve of \"curves\" has the block)");
+                     _("\"curves\" and \"block\" exclude each other (a curve of \"curves\" has the block)"));
     if (read->curves != NULL && read->curves->len == 0)
-        reader_error(reader, read->curves_at, TINKER_SCENE_ERROR_VALUE, "curves: a graph needs a curve");
+        reader_error(reader, read->curves_at, TINKER_SCENE_ERROR_VALUE, _("curves: a graph needs a curve"));
     g_autofree char *range = scene_graph_range_fault(read->graph, 0);
     if (range == NULL) range = scene_graph_range_fault(read->graph, 1);
     if (range != NULL) reader_error(reader, read->range_at, TINKER_SCENE_ERROR_VALUE, "%s", range);
@@ -286,7 +287,7 @@ void reader_graphs(SceneReader *reader, const JsonPart *part)
 {
     cJSON *json = reader_parse(reader, part);
     if (json == NULL) return;
-    if (!cJSON_IsArray(json)) reader_wrong_kind(reader, json, at_root(part->start), "graphs", "an array");
+    if (!cJSON_IsArray(json)) reader_wrong_kind(reader, json, at_root(part->start), "graphs", _("an array"));
     int number = 0;
     for (const cJSON *member = cJSON_IsArray(json) ? json->child : NULL; member != NULL;
          member = member->next, number++) {
@@ -296,7 +297,7 @@ void reader_graphs(SceneReader *reader, const JsonPart *part)
             read_graph(reader, member, at);
         else
             reader_error(reader, at, TINKER_SCENE_ERROR_VALUE,
-                         "a graph is an object, {\"block\": ..., \"quantity\": ...}");
+                         _("a graph is an object, {\"block\": ..., \"quantity\": ...}"));
     }
     reader_label(reader, NULL);
     cJSON_Delete(json);

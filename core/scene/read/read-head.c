@@ -1,4 +1,5 @@
 /* Reading what stands around the blocks: the version, texts, canvas and run settings, and unknown keys. */
+#include <glib/gi18n-lib.h>
 #include <string.h>
 
 #include "scene/value/reader.h"
@@ -79,7 +80,7 @@ static void head_object(SceneReader *reader, const cJSON *json, const JsonPart *
                         ReadMember read_member, const char *const *keys, char **extras)
 {
     if (!cJSON_IsObject(json)) {
-        reader_wrong_kind(reader, json, at_root(part->start), label, "an object");
+        reader_wrong_kind(reader, json, at_root(part->start), label, _("an object"));
         return;
     }
     reader_label(reader, label);
@@ -99,7 +100,7 @@ static void read_version(SceneReader *reader, const cJSON *json, const JsonPart 
     if (cJSON_IsNumber(json) && json->valuedouble == 1) return;
     g_autofree char *given = g_strndup(reader->text + part->start, MIN(part->end - part->start, 40));
     reader_error_at(reader, part->start, TINKER_SCENE_ERROR_SYNTAX,
-                    "tinker: the version of the format must be the number 1 (it is %s)", given);
+                    _("tinker: the version of the format must be the number 1 (it is %s)"), given);
 }
 
 static void read_units(SceneReader *reader, const cJSON *json, const JsonPart *part)
@@ -160,7 +161,7 @@ void reader_head(SceneReader *reader)
         if (g_str_equal(key, "graphs") || g_str_equal(key, "controls") || g_str_equal(key, "meters")) continue;
         if (g_str_equal(key, "blocks")) {
             if (reader->text[part->start] != '[')
-                reader_error_at(reader, part->start, TINKER_SCENE_ERROR_VALUE, "blocks: an array was expected");
+                reader_error_at(reader, part->start, TINKER_SCENE_ERROR_VALUE, _("blocks: an array was expected"));
         } else if (g_strv_contains(keys, key)) {
             cJSON *json = reader_parse(reader, part);
             if (json != NULL) read_member(reader, key, json, part);
@@ -171,6 +172,6 @@ void reader_head(SceneReader *reader)
     }
     if (!has_version)
         reader_error_at(reader, reader->document, TINKER_SCENE_ERROR_SYNTAX,
-                        "not a scene: the key \"tinker\" with the version of the format, 1, is missing");
+                        _("not a scene: the key \"tinker\" with the version of the format, 1, is missing"));
     if (unknown != NULL) reader->scene->head_extras = g_string_free(unknown, FALSE);
 }

@@ -1,4 +1,6 @@
 /* Reading controls and meters: what each is of, and where it stands on the canvas. */
+#include <glib/gi18n-lib.h>
+
 #include "scene/store/quantities.h"
 #include "scene/value/reader.h"
 
@@ -22,7 +24,7 @@ static gboolean read_name(SceneReader *reader, const cJSON *json, JsonAt at, con
 {
     int number;
     const cJSON *member = member_of(json, key, &number);
-    if (member == NULL) return reader_error(reader, at, TINKER_SCENE_ERROR_SYNTAX, "the key \"%s\" is missing", key);
+    if (member == NULL) return reader_error(reader, at, TINKER_SCENE_ERROR_SYNTAX, _("the key \"%s\" is missing"), key);
     const char *given = reader_text(reader, member, at_child(at, number), key);
     if (given == NULL) return FALSE;
     g_free(*text);
@@ -77,13 +79,13 @@ static gboolean check(SceneReader *reader, const ReadInstrument *read)
     TinkerBlockId block;
     if (!tinker_scene_find_owner(reader->scene, instrument->block, &block)) {
         g_autofree char *suggestion = reader_suggest_block(reader, instrument->block);
-        return reader_error(reader, read->at, TINKER_SCENE_ERROR_VALUE, "block: there is no block \"%s\"%s",
+        return reader_error(reader, read->at, TINKER_SCENE_ERROR_VALUE, _("block: there is no block \"%s\"%s"),
                             instrument->block, suggestion);
     }
     for (int i = 0; i < 2; i++)
         if (read->controls && instrument->kind != TINKER_INSTRUMENT_SWITCH && !read->given[i])
             return reader_error(reader, read->at, TINKER_SCENE_ERROR_SYNTAX,
-                                "the key \"%s\" is missing: a control has a range", i == 0 ? "from" : "to");
+                                _("the key \"%s\" is missing: a control has a range"), i == 0 ? "from" : "to");
     g_autofree char *fault = scene_instrument_fault(reader->scene, instrument);
     return fault == NULL || reader_error(reader, read->at, TINKER_SCENE_ERROR_VALUE, "%s", fault);
 }
@@ -109,7 +111,7 @@ void reader_instruments(SceneReader *reader, const JsonPart *part, gboolean cont
     const char *list = controls ? "controls" : "meters";
     cJSON *json = reader_parse(reader, part);
     if (json == NULL) return;
-    if (!cJSON_IsArray(json)) reader_wrong_kind(reader, json, at_root(part->start), list, "an array");
+    if (!cJSON_IsArray(json)) reader_wrong_kind(reader, json, at_root(part->start), list, _("an array"));
     int number = 0;
     for (const cJSON *entry = cJSON_IsArray(json) ? json->child : NULL; entry != NULL; entry = entry->next, number++) {
         const JsonAt at = at_child(at_root(part->start), number);
@@ -117,8 +119,8 @@ void reader_instruments(SceneReader *reader, const JsonPart *part, gboolean cont
         if (cJSON_IsObject(entry))
             read_instrument(reader, entry, at, controls);
         else
-            reader_error(reader, at, TINKER_SCENE_ERROR_VALUE, "an entry is an object, {\"block\": ..., \"%s\": ...}",
-                         controls ? "property" : "quantity");
+            reader_error(reader, at, TINKER_SCENE_ERROR_VALUE,
+                         _("an entry is an object, {\"block\": ..., \"%s\": ...}"), controls ? "property" : "quantity");
     }
     reader_label(reader, NULL);
     cJSON_Delete(json);

@@ -1,4 +1,5 @@
 /* Reading "on" and "along": a body that lies on the top of a plate, which may come later in the file. */
+#include <glib/gi18n-lib.h>
 #include <math.h>
 
 #include "scene/frame/tops.h"
@@ -34,10 +35,10 @@ void reader_place_on(SceneReader *reader, const cJSON *json, JsonAt at, TinkerBl
     }
     if (on.name_at.depth == 0 && on.along_at.depth > 0)
         reader_error(reader, at_key(on.along_at), TINKER_SCENE_ERROR_VALUE,
-                     "along is measured on a top, and none is named (give \"on\", the name of a support)");
+                     _("along is measured on a top, and none is named (give \"on\", the name of a support)"));
     if (on.name_at.depth > 0 && position_at.depth > 0)
         good = reader_error(reader, at_key(position_at), TINKER_SCENE_ERROR_VALUE,
-                            "%s is given beside on, which places it (leave one of them out)", position_id);
+                            _("%s is given beside on, which places it (leave one of them out)"), position_id);
     if (on.name == NULL || !good) return;
     on.name = g_string_chunk_insert(reader->end_names, on.name);
     g_array_append_val(reader->places_on, on);
@@ -51,11 +52,11 @@ static void look_at_top(SceneReader *reader, const ReaderPlaceOn *on, const Tink
     reader_label(reader, tinker_scene_block_name(reader->scene, on->block));
     if (tinker_frame_meaning(frame, plate, TINKER_MEANING_SOLID, 0, 1) == 0)
         reader_warning(reader, on->name_at, TINKER_SCENE_ERROR_VALUE,
-                       "on names \"%s\", which is not solid and carries nothing (set its \"solid\" to true)", name);
+                       _("on names \"%s\", which is not solid and carries nothing (set its \"solid\" to true)"), name);
     else if (fabs(on->along) > top.half_width)
         reader_warning(reader, on->along_at.depth > 0 ? on->along_at : on->name_at, TINKER_SCENE_ERROR_VALUE,
-                       "along is %g m, beyond the end of the top of \"%s\" (it reaches from %g m to %g m)", on->along,
-                       name, -top.half_width, top.half_width);
+                       _("along is %g m, beyond the end of the top of \"%s\" (it reaches from %g m to %g m)"),
+                       on->along, name, -top.half_width, top.half_width);
 }
 
 /* The block that is named; TINKER_NO_BLOCK with an error where it is none to lie on. */
@@ -65,7 +66,8 @@ static TinkerBlockId find_plate(SceneReader *reader, const ReaderPlaceOn *on)
     const TinkerBlockId plate = tinker_scene_find_block(reader->scene, on->name);
     if (plate == TINKER_NO_BLOCK) {
         g_autofree char *suggestion = reader_suggest_block(reader, on->name);
-        reader_error(reader, on->name_at, TINKER_SCENE_ERROR_VALUE, "on names no block \"%s\"%s", on->name, suggestion);
+        reader_error(reader, on->name_at, TINKER_SCENE_ERROR_VALUE, _("on names no block \"%s\"%s"), on->name,
+                     suggestion);
         return TINKER_NO_BLOCK;
     }
     g_autofree char *fault = scene_place_on_fault(reader->scene, on->block, plate);

@@ -1,4 +1,6 @@
 /* Reading the value of one property. */
+#include <glib/gi18n-lib.h>
+
 #include "scene/value/reader.h"
 
 #include "law/typed-law.h"
@@ -25,7 +27,7 @@ static void warn_of_turns(SceneReader *reader, const cJSON *json, JsonAt at, con
     if (!cJSON_IsNumber(json) || !tinker_dimension_equal(type->dimension, angle)) return;
     double turns = fabs(json->valuedouble) / (2 * G_PI);
     if (turns <= MOST_TURNS || !isfinite(turns)) return;
-    reader_warning(reader, at, TINKER_SCENE_ERROR_VALUE, "%s: %g rad is %.3g turns (did you mean \"%g deg\"?)",
+    reader_warning(reader, at, TINKER_SCENE_ERROR_VALUE, _("%s: %g rad is %.3g turns (did you mean \"%g deg\"?)"),
                    type->id, json->valuedouble, turns, json->valuedouble);
 }
 
@@ -77,13 +79,13 @@ static char *property_points(SceneReader *reader, const cJSON *json, JsonAt at, 
         return points != NULL ? g_strdup(json->valuestring) : NULL;
     }
     if (!cJSON_IsArray(json) || cJSON_GetArraySize(json) > TINKER_MOST_POINTS) {
-        reader_error(reader, at, TINKER_SCENE_ERROR_VALUE, "%s: it is a list of at most %d points, [[x, y], ...]",
+        reader_error(reader, at, TINKER_SCENE_ERROR_VALUE, _("%s: it is a list of at most %d points, [[x, y], ...]"),
                      type->id, TINKER_MOST_POINTS);
         return NULL;
     }
     int number = 0;
     for (const cJSON *point = json->child; point != NULL; point = point->next, number++) {
-        g_autofree char *what = g_strdup_printf("%s: point %d", type->id, number + 1);
+        g_autofree char *what = g_strdup_printf(_("%s: point %d"), type->id, number + 1);
         double values[2];
         if (!reader_vector(reader, point, at_child(at, number), what, type->dimension, values)) return NULL;
         g_array_append_vals(points, values, 2);
@@ -97,7 +99,7 @@ void reader_property(SceneReader *reader, const cJSON *json, JsonAt at, SceneTab
     const TinkerPropertyType *type = &table->block_class->properties[property];
     if (type->flags & (TINKER_READ_ONLY | TINKER_DERIVED)) {
         reader_warning(reader, at_key(at), TINKER_SCENE_ERROR_VALUE,
-                       "%s is worked out, not set: what is given is ignored", type->id);
+                       _("%s is worked out, not set: what is given is ignored"), type->id);
         return;
     }
     if ((type->flags & TINKER_TEXT_POINTS) != 0) {

@@ -2,6 +2,7 @@
  * them, and the graphs. A tree of the whole file would be many times its size. */
 #include <errno.h>
 #include <fcntl.h>
+#include <glib/gi18n-lib.h>
 #include <string.h>
 #include <unistd.h>
 
@@ -79,7 +80,7 @@ static void read_document(SceneReader *reader)
         start++;
     if (reader->text[start] != '{') {
         reader_error_at(reader, start, TINKER_SCENE_ERROR_SYNTAX,
-                        "not a scene: a scene is an object, {\"tinker\": 1, ...}");
+                        _("not a scene: a scene is an object, {\"tinker\": 1, ...}"));
         return;
     }
     reader->document = start;
@@ -124,10 +125,10 @@ static TinkerScene *unreadable(const char *path, const char *reason, GPtrArray *
     if (findings != NULL) {
         TinkerFinding *finding = g_new(TinkerFinding, 1);
         *finding = (TinkerFinding){TINKER_FINDING_ERROR, TINKER_SCENE_ERROR_FILE, 0, 0,
-                                   g_strdup_printf("the file cannot be read: %s", reason)};
+                                   g_strdup_printf(_("the file cannot be read: %s"), reason)};
         g_ptr_array_add(findings, finding);
     }
-    g_set_error(error, TINKER_SCENE_ERROR, TINKER_SCENE_ERROR_FILE, "%s: the file cannot be read: %s", path, reason);
+    g_set_error(error, TINKER_SCENE_ERROR, TINKER_SCENE_ERROR_FILE, _("%s: the file cannot be read: %s"), path, reason);
     return NULL;
 }
 
@@ -136,8 +137,8 @@ static gboolean enlarge(char **text, gsize *room, const char **why)
 {
     const gsize more = MAX(2 * *room, 65536);
     char *larger = more <= MOST_STREAMED ? g_try_realloc(*text, more) : NULL;
-    *why = more <= MOST_STREAMED ? "there is no memory for a text of its length"
-                                 : "it has 1 GiB or more (such a scene must be a file)";
+    *why = more <= MOST_STREAMED ? _("there is no memory for a text of its length")
+                                 : _("it has 1 GiB or more (such a scene must be a file)");
     if (larger == NULL) return FALSE;
     *text = larger;
     *room = more;
@@ -176,7 +177,7 @@ static TinkerScene *read_stream(TinkerCatalogue *catalogue, int stream, const ch
 TinkerScene *tinker_scene_read_file(TinkerCatalogue *catalogue, const char *path, GPtrArray *findings, GError **error)
 {
     if (g_str_equal(path, "-")) return read_stream(catalogue, STDIN_FILENO, path, findings, error);
-    if (g_file_test(path, G_FILE_TEST_IS_DIR)) return unreadable(path, "it is a folder", findings, error);
+    if (g_file_test(path, G_FILE_TEST_IS_DIR)) return unreadable(path, _("it is a folder"), findings, error);
     // Opened once: who writes into a pipe would find it closed between two times.
     const int descriptor = open(path, O_RDONLY | O_CLOEXEC);
     if (descriptor < 0) return unreadable(path, g_strerror(errno), findings, error);

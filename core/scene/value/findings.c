@@ -1,4 +1,5 @@
 /* Findings: what is wrong with a scene, where it is, and the message for it. */
+#include <glib/gi18n-lib.h>
 #include <string.h>
 
 #include "scene/value/reader.h"
@@ -120,7 +121,7 @@ void reader_report_duplicates(SceneReader *reader, gsize start, gsize end)
         gsize at = g_array_index(duplicates, gsize, i);
         if (at >= end) return;
         int length = (int)(json_string_end(reader->text, at) - at);
-        reader_error_at(reader, at, TINKER_SCENE_ERROR_SYNTAX, "the key %.*s is given twice", length,
+        reader_error_at(reader, at, TINKER_SCENE_ERROR_SYNTAX, _("the key %.*s is given twice"), length,
                         reader->text + at);
     }
 }
@@ -128,21 +129,21 @@ void reader_report_duplicates(SceneReader *reader, gsize start, gsize end)
 char *reader_suggestion(const char *word, const char *const *candidates, const char *otherwise)
 {
     const char *near = strlen(word) > LONGEST_COMPARED ? NULL : tinker_nearest_word(word, candidates);
-    return near == NULL ? g_strdup(otherwise) : g_strdup_printf(" (did you mean \"%s\"?)", near);
+    return near == NULL ? g_strdup(otherwise) : g_strdup_printf(_(" (did you mean \"%s\"?)"), near);
 }
 
 void reader_keep_unknown(SceneReader *reader, JsonAt at, const char *key, const char *const *candidates,
                          GString **extras)
 {
     g_autofree char *known = g_strjoinv(", ", (char **)candidates);
-    g_autofree char *kept = g_strdup_printf("; it is kept as it is (known here: %s)", known);
+    g_autofree char *kept = g_strdup_printf(_("; it is kept as it is (known here: %s)"), known);
     g_autofree char *suggestion = reader_suggestion(key, candidates, kept);
     reader_keep_member(reader, at, key, suggestion, extras);
 }
 
 void reader_keep_member(SceneReader *reader, JsonAt at, const char *key, const char *suggestion, GString **extras)
 {
-    reader_warning(reader, at_key(at), TINKER_SCENE_ERROR_SYNTAX, "unknown key \"%s\"%s", key, suggestion);
+    reader_warning(reader, at_key(at), TINKER_SCENE_ERROR_SYNTAX, _("unknown key \"%s\"%s"), key, suggestion);
     if (*extras == NULL) *extras = g_string_new(NULL);
     const JsonPart *part = &g_array_index(reader->split[at.depth - 1].parts, JsonPart, (guint)at.steps[at.depth - 1]);
     json_append_member(*extras, reader->text, part);
@@ -229,6 +230,6 @@ char *reader_suggest_block(SceneReader *reader, const char *name)
 cJSON *reader_parse(SceneReader *reader, const JsonPart *part)
 {
     cJSON *json = cJSON_ParseWithLength(reader->text + part->start, part->end - part->start);
-    if (json == NULL) reader_error_at(reader, part->start, TINKER_SCENE_ERROR_SYNTAX, "this value cannot be parsed");
+    if (json == NULL) reader_error_at(reader, part->start, TINKER_SCENE_ERROR_SYNTAX, _("this value cannot be parsed"));
     return json;
 }

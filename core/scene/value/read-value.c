@@ -1,4 +1,5 @@
 /* Reading values: numbers, texts with units, vectors, and the properties of blocks. */
+#include <glib/gi18n-lib.h>
 #include <math.h>
 #include <string.h>
 
@@ -9,17 +10,17 @@ const TinkerDimension reader_pure = {0};
 
 static const char *kind_name(const cJSON *json)
 {
-    if (cJSON_IsObject(json)) return "an object";
-    if (cJSON_IsArray(json)) return "an array";
-    if (cJSON_IsString(json)) return "a text";
-    if (cJSON_IsNumber(json)) return "a number";
+    if (cJSON_IsObject(json)) return _("an object");
+    if (cJSON_IsArray(json)) return _("an array");
+    if (cJSON_IsString(json)) return _("a text");
+    if (cJSON_IsNumber(json)) return _("a number");
     if (cJSON_IsNull(json)) return "null";
     return cJSON_IsTrue(json) ? "true" : "false";
 }
 
 gboolean reader_wrong_kind(SceneReader *reader, const cJSON *json, JsonAt at, const char *what, const char *expected)
 {
-    return reader_error(reader, at, TINKER_SCENE_ERROR_VALUE, "%s: %s was expected, %s is given", what, expected,
+    return reader_error(reader, at, TINKER_SCENE_ERROR_VALUE, _("%s: %s was expected, %s is given"), what, expected,
                         kind_name(json));
 }
 
@@ -29,10 +30,10 @@ gboolean reader_number(SceneReader *reader, const cJSON *json, JsonAt at, const 
     if (cJSON_IsNumber(json)) {
         *value = json->valuedouble;
         if (isfinite(*value)) return TRUE;
-        return reader_error(reader, at, TINKER_SCENE_ERROR_VALUE, "%s: the number is too large (at most 1.797e308)",
+        return reader_error(reader, at, TINKER_SCENE_ERROR_VALUE, _("%s: the number is too large (at most 1.797e308)"),
                             what);
     }
-    if (!cJSON_IsString(json)) return reader_wrong_kind(reader, json, at, what, "a number, or a text with a unit,");
+    if (!cJSON_IsString(json)) return reader_wrong_kind(reader, json, at, what, _("a number, or a text with a unit,"));
     g_autoptr(GError) error = NULL;
     if (tinker_quantity_parse(json->valuestring, dimension, value, &error)) return TRUE;
     /* A wrong dimension is that of the whole text, so the column inside it says nothing. */
@@ -46,11 +47,11 @@ gboolean reader_number(SceneReader *reader, const cJSON *json, JsonAt at, const 
 gboolean reader_vector(SceneReader *reader, const cJSON *json, JsonAt at, const char *what, TinkerDimension dimension,
                        double values[2])
 {
-    if (!cJSON_IsArray(json)) return reader_wrong_kind(reader, json, at, what, "a vector [x, y]");
+    if (!cJSON_IsArray(json)) return reader_wrong_kind(reader, json, at, what, _("a vector [x, y]"));
     int count = cJSON_GetArraySize(json);
     if (count != 2)
-        return reader_error(reader, at, TINKER_SCENE_ERROR_VALUE, "%s: a vector has 2 numbers, [x, y], %d given", what,
-                            count);
+        return reader_error(reader, at, TINKER_SCENE_ERROR_VALUE, _("%s: a vector has 2 numbers, [x, y], %d given"),
+                            what, count);
     g_autofree char *x = g_strconcat(what, ": x", NULL);
     g_autofree char *y = g_strconcat(what, ": y", NULL);
     gboolean good = reader_number(reader, json->child, at_child(at, 0), x, dimension, &values[0]);
@@ -60,14 +61,14 @@ gboolean reader_vector(SceneReader *reader, const cJSON *json, JsonAt at, const 
 const char *reader_text(SceneReader *reader, const cJSON *json, JsonAt at, const char *what)
 {
     if (cJSON_IsString(json)) return json->valuestring;
-    reader_wrong_kind(reader, json, at, what, "a text");
+    reader_wrong_kind(reader, json, at, what, _("a text"));
     return NULL;
 }
 
 gboolean reader_switch(SceneReader *reader, const cJSON *json, JsonAt at, const char *what, gboolean *value)
 {
     *value = cJSON_IsTrue(json);
-    return cJSON_IsBool(json) || reader_wrong_kind(reader, json, at, what, "true or false");
+    return cJSON_IsBool(json) || reader_wrong_kind(reader, json, at, what, _("true or false"));
 }
 
 int reader_choice(SceneReader *reader, const cJSON *json, JsonAt at, const char *what, const char *const *choices)
@@ -77,8 +78,8 @@ int reader_choice(SceneReader *reader, const cJSON *json, JsonAt at, const char 
     for (int i = 0; choices[i] != NULL; i++)
         if (g_str_equal(choices[i], text)) return i;
     g_autofree char *list = g_strjoinv("\", \"", (char **)choices);
-    g_autofree char *otherwise = g_strdup_printf(" (it is one of \"%s\")", list);
+    g_autofree char *otherwise = g_strdup_printf(_(" (it is one of \"%s\")"), list);
     g_autofree char *suggestion = reader_suggestion(text, choices, otherwise);
-    reader_error(reader, at, TINKER_SCENE_ERROR_VALUE, "%s: \"%s\" is not known%s", what, text, suggestion);
+    reader_error(reader, at, TINKER_SCENE_ERROR_VALUE, _("%s: \"%s\" is not known%s"), what, text, suggestion);
     return -1;
 }

@@ -1,5 +1,6 @@
 /* Reading waveforms: a word, an expression, or a table in a file beside the scene. */
 #include <errno.h>
+#include <glib/gi18n-lib.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -22,10 +23,10 @@ static TinkerWaveform *read_word(SceneReader *reader, const cJSON *json, JsonAt 
     static const TinkerWaveformKind kinds[] = {TINKER_WAVEFORM_NONE, TINKER_WAVEFORM_SINE, TINKER_WAVEFORM_COSINE};
     for (int i = 0; words[i] != NULL; i++)
         if (g_str_equal(words[i], json->valuestring)) return tinker_waveform_new_harmonic(kinds[i]);
-    g_autofree char *suggestion =
-        reader_suggestion(json->valuestring, words,
-                          " (it is \"none\", \"sine\", \"cosine\", or {\"expression\": \"...\"} for a function of t)");
-    reader_error(reader, at, TINKER_SCENE_ERROR_VALUE, "%s: \"%s\" is not a waveform%s", what, json->valuestring,
+    g_autofree char *suggestion = reader_suggestion(
+        json->valuestring, words,
+        _(" (it is \"none\", \"sine\", \"cosine\", or {\"expression\": \"...\"} for a function of t)"));
+    reader_error(reader, at, TINKER_SCENE_ERROR_VALUE, _("%s: \"%s\" is not a waveform%s"), what, json->valuestring,
                  suggestion);
     return NULL;
 }
@@ -43,20 +44,20 @@ char *reader_table_path(const char *folder, const char *file, GError **error)
     g_autofree char *named = g_canonicalize_filename(file, base);
     if (g_path_is_absolute(file) || !is_inside(named, base)) {
         g_set_error(error, TINKER_SCENE_ERROR, TINKER_SCENE_ERROR_FILE,
-                    "\"%s\" lies outside the scene's folder; a table must be a file in it", file);
+                    _("\"%s\" lies outside the scene's folder; a table must be a file in it"), file);
         return NULL;
     }
     char *real_base = realpath(base, NULL), *real = real_base != NULL ? realpath(named, NULL) : NULL;
     const int reason = errno;
     char *path = NULL;
     if (real_base == NULL || real == NULL)
-        g_set_error(error, TINKER_SCENE_ERROR, TINKER_SCENE_ERROR_FILE, "\"%s\" cannot be read: %s", file,
+        g_set_error(error, TINKER_SCENE_ERROR, TINKER_SCENE_ERROR_FILE, _("\"%s\" cannot be read: %s"), file,
                     g_strerror(reason));
     else if (!is_inside(real, real_base))
         g_set_error(error, TINKER_SCENE_ERROR, TINKER_SCENE_ERROR_FILE,
-                    "\"%s\" is a link that leads outside the scene's folder; a table must be a file in it", file);
+                    _("\"%s\" is a link that leads outside the scene's folder; a table must be a file in it"), file);
     else if (!g_file_test(real, G_FILE_TEST_IS_REGULAR))
-        g_set_error(error, TINKER_SCENE_ERROR, TINKER_SCENE_ERROR_FILE, "\"%s\" is not a file", file);
+        g_set_error(error, TINKER_SCENE_ERROR, TINKER_SCENE_ERROR_FILE, _("\"%s\" is not a file"), file);
     else
         path = g_strdup(real);
     free(real_base);
@@ -75,7 +76,7 @@ static gboolean read_option(SceneReader *reader, const cJSON *member, JsonAt at,
             object->column == floor(object->column))
             return TRUE;
         return reader_error(reader, at, TINKER_SCENE_ERROR_VALUE,
-                            "waveform: column must be a whole number from 1 (column 0 is the time)");
+                            _("waveform: column must be a whole number from 1 (column 0 is the time)"));
     }
     if (g_str_equal(member->string, "scale"))
         return reader_number(reader, member, at, "waveform: scale", reader_pure, &object->scale);
@@ -83,8 +84,8 @@ static gboolean read_option(SceneReader *reader, const cJSON *member, JsonAt at,
         object->kind = reader_choice(reader, member, at, "waveform: kind", kinds);
         return object->kind >= 0;
     }
-    g_autofree char *suggestion = reader_suggestion(member->string, keys, "; it is kept as it is");
-    reader_warning(reader, at_key(at), TINKER_SCENE_ERROR_SYNTAX, "waveform: unknown key \"%s\"%s", member->string,
+    g_autofree char *suggestion = reader_suggestion(member->string, keys, _("; it is kept as it is"));
+    reader_warning(reader, at_key(at), TINKER_SCENE_ERROR_SYNTAX, _("waveform: unknown key \"%s\"%s"), member->string,
                    suggestion);
     object->unknown_keys = TRUE;
     return TRUE;
@@ -107,7 +108,7 @@ static gboolean read_members(SceneReader *reader, const cJSON *json, JsonAt at, 
     }
     if ((object->expression == NULL) == (object->table == NULL))
         return reader_error(reader, at, TINKER_SCENE_ERROR_VALUE,
-                            "waveform: an object has either \"expression\" or \"table\"");
+                            _("waveform: an object has either \"expression\" or \"table\""));
     return good;
 }
 
@@ -118,7 +119,7 @@ static TinkerWaveform *read_expression(SceneReader *reader, const WaveformObject
     g_autoptr(GError) error = NULL;
     TinkerWaveform *waveform = tinker_waveform_new_expression(text, &error);
     if (waveform == NULL)
-        reader_error(reader, object->expression_at, TINKER_SCENE_ERROR_VALUE, "%s: expression: %s", what,
+        reader_error(reader, object->expression_at, TINKER_SCENE_ERROR_VALUE, _("%s: expression: %s"), what,
                      error->message);
     return waveform;
 }
@@ -152,7 +153,7 @@ static TinkerWaveform *read_table(SceneReader *reader, const WaveformObject *obj
     const TinkerTableSource source = {file, (int)object->column, object->scale, (TinkerTableKind)object->kind};
     TinkerWaveform *waveform = path == NULL ? NULL : reader_table(path, &source, property, &error);
     if (waveform == NULL)
-        reader_error(reader, object->table_at, code_of(error), "%s: table: %s", property->id, error->message);
+        reader_error(reader, object->table_at, code_of(error), _("%s: table: %s"), property->id, error->message);
     return waveform;
 }
 
@@ -191,7 +192,7 @@ TinkerWaveform *reader_waveform(SceneReader *reader, const cJSON *json, JsonAt a
 {
     if (cJSON_IsString(json)) return read_word(reader, json, at, property->id);
     if (!cJSON_IsObject(json)) {
-        reader_wrong_kind(reader, json, at, property->id, "a waveform (a text or an object)");
+        reader_wrong_kind(reader, json, at, property->id, _("a waveform (a text or an object)"));
         return NULL;
     }
     WaveformObject object = {.column = 1, .scale = 1, .kind = TINKER_TABLE_VALUE};

@@ -1,5 +1,7 @@
 /* The object that stands for a table in a scene's file is kept as text beside its waveform; here it is made and asked.
  */
+#include <glib/gi18n-lib.h>
+
 #include "scene/value/table-source.h"
 
 #include "scene/value/reader.h"
@@ -44,7 +46,7 @@ TinkerWaveform *tinker_scene_read_table(TinkerScene *scene, const char *path, co
     if (!reader_table_fits(source->kind, property, error)) return NULL;
     if (!g_utf8_validate(source->file, -1, NULL)) {
         g_set_error(error, TINKER_SCENE_ERROR, TINKER_SCENE_ERROR_FILE,
-                    "the name of the file is not UTF-8, and a scene can hold no other text");
+                    _("the name of the file is not UTF-8, and a scene can hold no other text"));
         return NULL;
     }
     g_autofree char *folder = g_path_get_dirname(path);

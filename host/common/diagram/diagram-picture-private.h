@@ -11,6 +11,10 @@
 #define DIAGRAM_TEXT 12.0
 #define DIAGRAM_ROW  17.0
 
+#define DIAGRAM_HEADING   20.0
+#define DIAGRAM_MOST_BODY 110.0
+#define DIAGRAM_TURN_STEP 8.0 /* between turning arrows */
+
 /* What a picture is made from. */
 typedef struct {
     const TinkerDiagramPicture *picture;
@@ -24,6 +28,22 @@ typedef struct {
     gboolean numbered; /* arrows have numbers, which the list explains, */
     gboolean brief;    /* and nothing else */
 } DiagramDrawing;
+
+/* One part of the paper, in its canvas units: its arrows have a scale of 1 canvas unit. */
+typedef struct {
+    DiagramDrawing *drawing;
+    const TinkerView *view;
+    double longest;   /* canvas units: of its arrows */
+    GArray *arrows;   /* of TinkerForceArrow */
+    GPtrArray *texts; /* their labels */
+} DiagramPart;
+
+/* Where turning arrows stand: the middle of the body, the radius of the innermost, and the box that their labels take.
+ */
+typedef struct {
+    double at[2], least, labels[4];
+    guint count;
+} DiagramTurns;
 
 void diagram_begin(DiagramDrawing *drawing, const TinkerDiagramPicture *picture, cairo_t *cairo);
 void diagram_end(DiagramDrawing *drawing);
@@ -50,6 +70,22 @@ char *diagram_force_name(const DiagramDrawing *drawing, const TinkerDiagramForce
 TinkerArrowKind diagram_arrow_kind(TinkerTermKind kind);
 /* (transfer full) */
 GPtrArray *diagram_notes(const DiagramDrawing *drawing);
+
+/* diagram-bodies.c: the bodies in the middle of a part of the paper of this size, small enough that the arrows have
+ * room around them; their boxes in it, of double[4] (transfer full); and how large (canvas units) a single one is at
+ * most. */
+TinkerView diagram_view(const DiagramDrawing *drawing, double width, double height);
+GArray *diagram_drawn_boxes(const DiagramDrawing *drawing, const TinkerView *view);
+double diagram_body_room(const DiagramDrawing *drawing);
+void diagram_draw_bodies(DiagramDrawing *drawing, const TinkerView *view);
+
+/* diagram-arrows.c: adds the arrows of a part. */
+void diagram_add_forces(DiagramPart *part);
+void diagram_add_resultant(DiagramPart *part);
+
+/* diagram-turns.c: where turning arrows and their labels have room beside the arrows of the part; and draws them. */
+DiagramTurns diagram_turns(const DiagramPart *part, gboolean kinetic);
+void diagram_draw_turns(const DiagramPart *part, const DiagramTurns *turns, gboolean kinetic);
 
 /* In the theme's colour of text. */
 void diagram_write(DiagramDrawing *drawing, TinkerText text, double x, double y);

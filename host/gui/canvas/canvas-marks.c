@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "gui/canvas/canvas-private.h"
+#include "render/draw/text.h"
 #include "render/picture/arrows.h"
 
 #define SHARE      0.7 /* of the length that arrows of forces have */
@@ -49,12 +50,28 @@ static GArray *find_arrows(TinkerCanvas *canvas, const TinkerFrame *frame)
     return arrows;
 }
 
-static void paint_velocities(TinkerCanvas *canvas, cairo_t *cairo, TinkerFrame *frame, const TinkerTheme *theme)
+/* The boxes (double[4]) of panels, which are texts without words. (transfer full) */
+static GArray *panel_boxes(const GPtrArray *texts)
 {
+    GArray *boxes = g_array_new(FALSE, FALSE, 4 * sizeof(double));
+    for (guint i = 0; i < texts->len; i++) {
+        const TinkerWrittenText *text = g_ptr_array_index(texts, i);
+        if (text->text == NULL) g_array_append_vals(boxes, text->box, 1);
+    }
+    return boxes;
+}
+
+static void paint_velocities(TinkerCanvas *canvas, cairo_t *cairo, TinkerFrame *frame, const TinkerTheme *theme,
+                             const GPtrArray *texts)
+{
+    g_autoptr(GArray) panels = panel_boxes(texts);
     g_autoptr(GArray) all = find_arrows(canvas, frame);
     const TinkerForceArrow *arrows = (const TinkerForceArrow *)(const void *)all->data;
     canvas->velocity_scale = tinker_arrows_scale(arrows, all->len, &canvas->view, canvas->velocity_scale);
-    TinkerArrowOptions options = {.theme = theme, .scale = SHARE * canvas->velocity_scale};
+    const TinkerArrowOptions options = {.theme = theme,
+                                        .scale = SHARE * canvas->velocity_scale,
+                                        .taken = (const double(*)[4])(gpointer)panels->data,
+                                        .taken_count = (int)panels->len};
     tinker_arrows_draw(cairo, &canvas->view, arrows, all->len, &options);
     for (guint i = 0; i < all->len; i++)
         g_free((char *)arrows[i].label);
@@ -125,11 +142,12 @@ static void paint_badges(TinkerCanvas *canvas, cairo_t *cairo, TinkerFrame *fram
     }
 }
 
-void canvas_paint_marks(TinkerCanvas *canvas, cairo_t *cairo, TinkerFrame *frame, const TinkerTheme *theme)
+void canvas_paint_marks(TinkerCanvas *canvas, cairo_t *cairo, TinkerFrame *frame, const TinkerTheme *theme,
+                        const GPtrArray *texts)
 {
     if (tinker_player_state(canvas->player) != TINKER_PLAYER_SETUP) return;
     cairo_save(cairo);
-    if (!canvas->show_vectors.kinds[TINKER_VECTOR_VELOCITY]) paint_velocities(canvas, cairo, frame, theme);
+    if (!canvas->show_vectors.kinds[TINKER_VECTOR_VELOCITY]) paint_velocities(canvas, cairo, frame, theme, texts);
     paint_badges(canvas, cairo, frame, theme);
     cairo_restore(cairo);
 }

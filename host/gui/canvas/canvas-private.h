@@ -33,6 +33,7 @@ struct _TinkerCanvas {
     gboolean view_is_fitted; /* it shows `fitted`, whatever the size, until somebody looks elsewhere */
     double fitted[4], fitted_margin, fitted_above;
     guint keeping_below; /* the source that shows it below the cover */
+    double covered_told; /* widget units: how much the cover took when that was told last */
     TinkerPaintMemory *memory;
     GHashTable *faults; /* of drawings, as TinkerPaintOptions has them */
     guint faults_told;  /* of them */
@@ -78,8 +79,13 @@ void canvas_to_world(TinkerCanvas *canvas, double x, double y, double world[2]);
 void canvas_describe_view(TinkerCanvas *canvas);
 void canvas_view_changed(TinkerCanvas *canvas);
 
-/* Start velocities and warning marks over the scene; canvas-marks.c. */
-void canvas_paint_marks(TinkerCanvas *canvas, cairo_t *cairo, TinkerFrame *frame, const TinkerTheme *theme);
+/* What lies over the canvas, in units that are larger by a factor, as texts without words: what names keep clear of.
+ * (transfer full) */
+GPtrArray *canvas_panels(TinkerCanvas *canvas, double factor);
+
+/* Start velocities and warning marks over the scene, clear of the panels among these texts; canvas-marks.c. */
+void canvas_paint_marks(TinkerCanvas *canvas, cairo_t *cairo, TinkerFrame *frame, const TinkerTheme *theme,
+                        const GPtrArray *texts);
 
 /* From which height on the canvas can be seen (widget units): notices lie over its top. canvas-follow.c. */
 double canvas_seen_from(const TinkerCanvas *canvas);

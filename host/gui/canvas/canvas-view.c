@@ -3,6 +3,7 @@
 
 #include "gui/canvas/canvas-private.h"
 #include "gui/text/block-words.h"
+#include "render/draw/text.h"
 
 #define LEAST_SCALE    1e-6 /* widget units per m */
 #define GREATEST_SCALE 1e9
@@ -64,4 +65,21 @@ void canvas_view_changed(TinkerCanvas *canvas)
     canvas_describe_view(canvas);
     gtk_widget_queue_draw(GTK_WIDGET(canvas));
     g_signal_emit_by_name(canvas, "view-changed");
+}
+
+GPtrArray *canvas_panels(TinkerCanvas *canvas, double factor)
+{
+    g_autoptr(GArray) boxes = g_array_new(FALSE, FALSE, 4 * sizeof(double));
+    GPtrArray *texts = tinker_written_texts_new();
+    if (canvas->view.covered > 0)
+        g_array_append_vals(boxes, ((double[]){0, 0, canvas->view.width, canvas->view.covered}), 1);
+    g_signal_emit_by_name(canvas, "panels", boxes);
+    for (guint i = 0; i < boxes->len; i++) {
+        const double *box = (const double *)(gpointer)boxes->data + 4 * (gsize)i;
+        TinkerWrittenText *panel = g_new0(TinkerWrittenText, 1);
+        for (int k = 0; k < 4; k++)
+            panel->box[k] = box[k] / factor;
+        g_ptr_array_add(texts, panel);
+    }
+    return texts;
 }

@@ -111,12 +111,22 @@ void tinker_canvas_fit(TinkerCanvas *canvas)
     if (box_of_all(canvas, box)) fit_box(canvas, box, FIT_MARGIN, room_above(canvas));
 }
 
+double tinker_canvas_covered(TinkerCanvas *canvas)
+{
+    return canvas_seen_from(canvas);
+}
+
 /* Shows the same below what lies over it, where that covers something of the scene. */
 static gboolean keep_below_cover(gpointer data)
 {
     TinkerCanvas *canvas = data;
     double box[4], x, top;
     canvas->keeping_below = 0;
+    if (canvas->covered_told != canvas_seen_from(canvas)) {
+        canvas->covered_told = canvas_seen_from(canvas);
+        g_signal_emit_by_name(canvas, "view-changed");
+    }
+    if (room_above(canvas) <= canvas->fitted_above) return G_SOURCE_REMOVE;
     if (!canvas->view_is_fitted || canvas->gesture != CANVAS_IDLE || !box_of_all(canvas, box)) return G_SOURCE_REMOVE;
     tinker_view_to_canvas(&canvas->view, 0, box[3], &x, &top);
     if (top < canvas_seen_from(canvas) && room_above(canvas) > canvas->fitted_above)
@@ -127,9 +137,9 @@ static gboolean keep_below_cover(gpointer data)
 void tinker_canvas_cover_placed(TinkerCanvas *canvas)
 {
     gtk_widget_queue_draw(GTK_WIDGET(canvas));
-    if (canvas->keeping_below != 0 || !canvas->view_is_fitted || room_above(canvas) <= canvas->fitted_above) return;
     /* not while widgets get their places */
-    canvas->keeping_below = g_idle_add_full(G_PRIORITY_DEFAULT, keep_below_cover, canvas, NULL);
+    if (canvas->keeping_below == 0)
+        canvas->keeping_below = g_idle_add_full(G_PRIORITY_DEFAULT, keep_below_cover, canvas, NULL);
 }
 
 void tinker_canvas_show_width(TinkerCanvas *canvas)
@@ -279,20 +289,21 @@ static void paint_arrows(TinkerCanvas *canvas, cairo_t *cairo, const TinkerPaint
 
 static void paint(TinkerCanvas *canvas, cairo_t *cairo)
 {
-    g_autoptr(GPtrArray) texts = tinker_written_texts_new();
+    g_autoptr(GPtrArray) texts = NULL;
     TinkerFrame *frame = tinker_player_frame(canvas->player);
     TinkerPaintOptions options = paint_options(canvas);
     if (frame == NULL) return;
     canvas->view.covered = canvas_seen_from(canvas);
     const TinkerView seen = canvas->view;
     const double factor = canvas_magnification(canvas);
+    texts = canvas_panels(canvas, factor);
     cairo_save(cairo);
     cairo_scale(cairo, factor, factor);
     canvas->view = larger(&seen, factor);
     options.texts = texts;
     tinker_paint_scene(cairo, frame, &canvas->view, &options);
     paint_ghosts(canvas, cairo, &options);
-    canvas_paint_marks(canvas, cairo, frame, options.theme);
+    canvas_paint_marks(canvas, cairo, frame, options.theme, texts);
     paint_arrows(canvas, cairo, &options, lit_block(canvas));
     canvas_paint_edge_marks(canvas, cairo, frame, options.theme); /* over the key of the forces */
     canvas->view = seen;
@@ -304,7 +315,7 @@ void tinker_canvas_draw_for_paper(TinkerCanvas *canvas, cairo_t *cairo)
 {
     TinkerFrame *frame = tinker_player_frame(canvas->player);
     TinkerPaintOptions options = paint_options(canvas);
-    g_autoptr(GPtrArray) texts = tinker_written_texts_new();
+    g_autoptr(GPtrArray) texts = NULL;
     if (frame == NULL) return;
     options.theme = tinker_theme_find("light");
     options.highlighted = TINKER_NO_BLOCK;
@@ -312,8 +323,8 @@ void tinker_canvas_draw_for_paper(TinkerCanvas *canvas, cairo_t *cairo)
     options.quick = FALSE;
     options.memory = NULL;
     options.faults = NULL;
-    options.texts = texts;
     canvas->view.covered = 0; /* no notice lies over it there */
+    options.texts = texts = canvas_panels(canvas, 1);
     tinker_paint_scene(cairo, frame, &canvas->view, &options);
     paint_arrows(canvas, cairo, &options, TINKER_NO_BLOCK);
 }
@@ -517,6 +528,7 @@ static void tinker_canvas_class_init(TinkerCanvasClass *class)
     g_object_class_install_properties(object_class, PROPERTIES, properties);
     g_signal_new("view-changed", TINKER_TYPE_CANVAS, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL, G_TYPE_NONE, 0);
     g_signal_new("faults", TINKER_TYPE_CANVAS, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL, G_TYPE_NONE, 0);
+    g_signal_new("panels", TINKER_TYPE_CANVAS, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL, G_TYPE_NONE, 1, G_TYPE_POINTER);
     g_signal_new("menu", TINKER_TYPE_CANVAS, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL, G_TYPE_NONE, 2, G_TYPE_DOUBLE,
                  G_TYPE_DOUBLE);
     g_signal_new("dropped", TINKER_TYPE_CANVAS, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL, G_TYPE_NONE, 2, G_TYPE_INT,

@@ -21,9 +21,15 @@ void tinker_canvas_set_player(TinkerCanvas *canvas, TinkerDocument *document, Ti
  * there is none. */
 void tinker_canvas_set_cover(TinkerCanvas *canvas, GtkWidget *cover);
 
+/* How much of it that covers, from the top on (widget units); "view-changed" tells of another one. */
+double tinker_canvas_covered(TinkerCanvas *canvas);
+
 /* It has got another place or height: a scene that is shown wholly is shown below it, if it would cover some of that.
  */
 void tinker_canvas_cover_placed(TinkerCanvas *canvas);
+
+/* The signal "panels" (GArray *boxes) asks for what else lies over it, of double[4]: least and greatest x and y, widget
+ * units. Names and labels keep clear of that; who has moved some of it has the canvas drawn again. */
 
 /* Marks these blocks as those that something is wrong with; ids of blocks that are gone are passed over. Copied. */
 void tinker_canvas_set_marked(TinkerCanvas *canvas, const TinkerBlockId *blocks, int count);

@@ -18,13 +18,13 @@ static gboolean can_read(const TinkerGraphSeries *series)
     return index != NULL && tinker_curve_index_is_ordered(index);
 }
 
-/* The polynomial through `count` points, by Lagrange. */
-static double interpolated(const double *x, const double *y, int count, double at)
+/* The parabola through three points, by Lagrange. */
+static double interpolated(const double x[3], const double y[3], double at)
 {
     double sum = 0;
-    for (int i = 0; i < count; i++) {
+    for (int i = 0; i < 3; i++) {
         double product = y[i];
-        for (int k = 0; k < count; k++)
+        for (int k = 0; k < 3; k++)
             if (k != i) product *= (at - x[k]) / (x[i] - x[k]);
         sum += product;
     }
@@ -37,7 +37,7 @@ static void find_vertex(const double x[3], const double y[3], double place[2])
 {
     const double before = (y[1] - y[0]) / (x[1] - x[0]), after = (y[2] - y[1]) / (x[2] - x[1]);
     place[0] = CLAMP(0.5 * (x[0] + x[1]) + before / (before - after) * 0.5 * (x[2] - x[0]), x[0], x[2]);
-    place[1] = interpolated(x, y, 3, place[0]);
+    place[1] = interpolated(x, y, place[0]);
 }
 
 /* The farthest that the curve goes to one side (1: up, -1: down) between the neighbours of a point. */
@@ -78,38 +78,72 @@ static gboolean extremum_about(const double *x, const double *y, gsize count, gs
     return TRUE;
 }
 
-static gboolean zero_about(const double *x, const double *y, gsize count, gsize point, TinkerGraphReading *reading)
+/* The first place in a piece where the curve changes its sign; `start` and `end` are its values at both ends, and below
+ * `nothing` is 0: where it touches 0 it has an extremum. */
+static gboolean zero_of_piece(const TinkerCurvePiece *piece, double start, double end, double nothing, double *time)
 {
-    if (point + 1 >= count || !(x[point] < x[point + 1])) return FALSE;
-    if (!((y[point] < 0) != (y[point + 1] < 0))) return FALSE;
-    gsize first = point, points = 2;
-    if (point > 0 && point + 2 < count && x[point - 1] < x[point] && x[point + 1] < x[point + 2]) {
-        first = point - 1;
-        points = 4;
+    double edges[4] = {0, 0, 0, 1}, values[4] = {start, start, start, end};
+    tinker_curve_piece_level(piece, edges + 1);
+    for (int i = 1; i < 3; i++) {
+        if (edges[i] > edges[i - 1] && edges[i] < 1) {
+            values[i] = tinker_curve_piece_value(piece, edges[i]);
+        } else { /* NAN, too */
+            edges[i] = edges[i - 1];
+            values[i] = values[i - 1];
+        }
     }
-    double low = x[point], high = x[point + 1];
-    for (int i = 0; i < BISECTIONS; i++) {
-        const double half = 0.5 * (low + high);
-        if ((interpolated(x + first, y + first, (int)points, half) < 0) == (y[point] < 0))
-            low = half;
-        else
-            high = half;
+    for (int i = 0; i < 3; i++) {
+        const gboolean below = values[i] < -nothing;
+        double low = edges[i], high = edges[i + 1];
+        if (below == (values[i + 1] < -nothing)) continue;
+        for (int k = 0; k < BISECTIONS; k++) {
+            const double half = 0.5 * (low + high);
+            if ((tinker_curve_piece_value(piece, half) < 0) == below)
+                low = half;
+            else
+                high = half;
+        }
+        *time = piece->start + 0.5 * (low + high) * piece->width;
+        return TRUE;
     }
-    reading->at[0] = 0.5 * (low + high);
-    reading->at[1] = 0;
-    reading->kind = TINKER_READING_ZERO;
-    return TRUE;
+    return FALSE;
 }
 
-/* The extremum or zero about a point, if there is one between its two neighbours: an extremum of the curve that
- * statistics are of, or of few points by the parabola through three, a zero by the cubic through four. Not of a curve
- * whose x turns back. */
-static gboolean reading_about(const TinkerGraphSeries *series, gsize point, TinkerGraphReading *reading)
+/* Of few points on the straight line between two. */
+static gboolean zero_behind(const double *x, const double *y, gsize count, gsize point, TinkerGraphReading *reading)
+{
+    if (point + 1 >= count || !(x[point] < x[point + 1])) return FALSE;
+    const double nothing = CONSTANT * fmax(fabs(y[point]), fabs(y[point + 1]));
+    TinkerCurvePiece pieces[2] = {{x[point], x[point + 1] - x[point], y[point], y[point + 1] - y[point], 0, 0}};
+    const TinkerCurveSamples samples = {x, y, count};
+    const guint parts = count >= TINKER_CURVE_LEAST ? tinker_curve_pieces(&samples, point, pieces) : 1;
+    double start = y[point];
+    for (guint i = 0; i < parts; i++) {
+        const double end = i + 1 < parts ? pieces[i + 1].a : y[point + 1];
+        if (zero_of_piece(&pieces[i], start, end, nothing, &reading->at[0])) {
+            reading->at[1] = 0;
+            reading->kind = TINKER_READING_ZERO;
+            return TRUE;
+        }
+        start = end;
+    }
+    return FALSE;
+}
+
+/* The extremum about a point, and the zero between it and the next one, as many as there are: of the curve that
+ * statistics are of, or of few points by the parabola through three and the line through two. Not of a curve whose x
+ * turns back. */
+static guint readings_about(const TinkerGraphSeries *series, gsize point, const TinkerGraphReading *as,
+                            TinkerGraphReading found[2])
 {
     const double *x = tinker_graph_series_x(series), *y = tinker_graph_series_y(series);
     const gsize count = tinker_graph_series_count(series);
-    reading->point = point;
-    return can_read(series) && (extremum_about(x, y, count, point, reading) || zero_about(x, y, count, point, reading));
+    found[0] = *as;
+    found[0].point = point;
+    guint readings = extremum_about(x, y, count, point, &found[0]);
+    found[readings] = *as;
+    found[readings].point = point;
+    return readings + zero_behind(x, y, count, point, &found[readings]);
 }
 
 gboolean tinker_graph_reading_snap(const TinkerGraphSeries *series, const TinkerPlotGeometry *geometry, double x,
@@ -123,13 +157,15 @@ gboolean tinker_graph_reading_snap(const TinkerGraphSeries *series, const Tinker
     gsize first = tinker_curve_first_from(points, count, tinker_plot_scale_value(&geometry->x, x - reach));
     const gsize end = tinker_curve_first_from(points, count, tinker_plot_scale_value(&geometry->x, x + reach));
     for (first = first > 0 ? first - 1 : 0; first < end; first++) {
-        TinkerGraphReading tried = *reading;
-        if (!reading_about(series, first, &tried)) continue;
-        const double away =
-            hypot(tinker_plot_scale_place(&geometry->x, tried.at[0]) - x, tinker_plot_scale_place(up, tried.at[1]) - y);
-        if (!(away <= nearest)) continue;
-        nearest = away;
-        *reading = tried;
+        TinkerGraphReading found[2];
+        const guint readings = readings_about(series, first, reading, found);
+        for (guint i = 0; i < readings; i++) {
+            const double away = hypot(tinker_plot_scale_place(&geometry->x, found[i].at[0]) - x,
+                                      tinker_plot_scale_place(up, found[i].at[1]) - y);
+            if (!(away <= nearest)) continue;
+            nearest = away;
+            *reading = found[i];
+        }
     }
     return nearest < reach;
 }
@@ -154,20 +190,25 @@ gboolean tinker_graph_reading_next(const TinkerGraphSeries *series, double time,
                                    TinkerGraphReading *reading)
 {
     const gsize count = tinker_graph_series_count(series);
-    const double near = SAME_TIME * fmax(1, fabs(time));
+    const double near = SAME_TIME * fmax(1, fabs(time)), way = forward ? 1 : -1;
+    const TinkerGraphReading as = *reading;
+    double nearest = INFINITY;
     if (!can_read(series) || count == 0) return FALSE;
     gsize i = tinker_curve_first_from(tinker_graph_series_x(series), count, time);
     i = forward ? (i > 1 ? i - 2 : 0) : MIN(i + 1, count - 1);
     for (; i < count; i = forward ? i + 1 : i - 1) {
-        TinkerGraphReading tried = *reading;
-        const gboolean is_there = reading_about(series, i, &tried);
-        if (is_there && (forward ? tried.at[0] > time + near : tried.at[0] < time - near)) {
-            *reading = tried;
-            return TRUE;
+        const gboolean is_known = isfinite(nearest);
+        TinkerGraphReading found[2];
+        const guint readings = readings_about(series, i, &as, found);
+        for (guint k = 0; k < readings; k++) {
+            const double away = way * (found[k].at[0] - time);
+            if (!(away > near) || !(away < nearest)) continue;
+            nearest = away;
+            *reading = found[k];
         }
-        if (!forward && i == 0) break;
+        if (is_known || (!forward && i == 0)) break; /* that about the point behind it may come before it */
     }
-    return FALSE;
+    return isfinite(nearest);
 }
 
 gboolean tinker_graph_reading_at(const TinkerGraphSeries *series, double x, TinkerGraphReading *reading)

@@ -212,8 +212,8 @@ gboolean tinker_document_changed_on_disk(TinkerDocument *document)
 
 char *tinker_document_name(TinkerDocument *document)
 {
-    const char *title = tinker_scene_head(document->scene)->title;
-    if (title[0] != '\0') return g_strdup(tinker_translate_title(title));
+    const TinkerSceneHead *head = tinker_scene_head(document->scene);
+    if (head->title[0] != '\0') return g_strdup(tinker_translate_title(head->title, head->description));
     return document->origin.path != NULL ? g_path_get_basename(document->origin.path) : g_strdup(_("Untitled"));
 }
 

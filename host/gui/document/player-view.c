@@ -62,6 +62,12 @@ TinkerFrame *tinker_player_frame(TinkerPlayer *player)
     return player->frame;
 }
 
+gboolean tinker_player_place(TinkerPlayer *player, TinkerFrame *frame, double time)
+{
+    return player->recording.segments->len > 0 && time <= tinker_player_reached(player) &&
+           tinker_recording_place(&player->recording, frame, time);
+}
+
 gboolean tinker_player_value(TinkerPlayer *player, TinkerBlockId block, int32_t quantity, double *value)
 {
     const TinkerSegment *segment = tinker_recording_at(&player->recording, player->time);

@@ -8,12 +8,13 @@
 
 G_DEFINE_FINAL_TYPE(TinkerPlayer, tinker_player, G_TYPE_OBJECT)
 
-/* Makes sure that there is a record, or one in the making. */
+/* Makes sure that there is a record, or one in the making. One that was gone back from is that of a run before. */
 static gboolean have_record(TinkerPlayer *player, TinkerBlockId *culprit, GError **error)
 {
-    if (player->recording.segments->len > 0) return TRUE;
+    if (player->recording.segments->len > 0 && player->state != TINKER_PLAYER_SETUP) return TRUE;
     if (!player_can_run(player, culprit, error)) return FALSE;
     player_record_from_start(player);
+    player_note_anew(player, 0);
     return TRUE;
 }
 
@@ -69,9 +70,14 @@ void tinker_player_seek(TinkerPlayer *player, double time)
     player_moved(player);
 }
 
-void tinker_player_reset(TinkerPlayer *player)
+void tinker_player_give_up(TinkerPlayer *player)
 {
     player_forget_record(player);
+    tinker_player_reset(player);
+}
+
+void tinker_player_reset(TinkerPlayer *player)
+{
     player->time = 0;
     player_set_state(player, TINKER_PLAYER_SETUP);
     player_renew_frame(player);

@@ -17,7 +17,7 @@
 G_DECLARE_FINAL_TYPE(TinkerPlayer, tinker_player, TINKER, PLAYER, GObject)
 
 typedef enum {
-    TINKER_PLAYER_SETUP,   /* at the start, where nothing has been recorded */
+    TINKER_PLAYER_SETUP,   /* at the start, where nothing has been recorded, or gone back to */
     TINKER_PLAYER_PLAYING, /* time goes on */
     TINKER_PLAYER_PAUSED,  /* somewhere in the record */
 } TinkerPlayerState;
@@ -59,9 +59,12 @@ double tinker_player_changed_at(TinkerPlayer *player);
 void tinker_player_seek(TinkerPlayer *player, double time);
 /* Goes to a time from the start to the end of the run and pauses there: at once, or when it has been recorded. */
 gboolean tinker_player_go_to(TinkerPlayer *player, double time, TinkerBlockId *culprit, GError **error);
-/* Back to the start, with the record forgotten. */
+/* Ends the run and forgets what it has recorded; back to the start. */
+void tinker_player_give_up(TinkerPlayer *player);
+/* Back to the start. What was recorded stays to be read until an edit changes the motion or a new run begins, as the
+ * next one to play or to step from here is. */
 void tinker_player_reset(TinkerPlayer *player);
-/* Goes back to the start, with the record forgotten, because somebody wants to edit the start: tells so. */
+/* The same because somebody wants to edit the start: tells so. */
 void tinker_player_rewind(TinkerPlayer *player);
 
 /* Between these two, an edit that changes the motion is of a hand that tries: the run is made anew from the start and
@@ -83,6 +86,9 @@ gboolean tinker_player_wait(TinkerPlayer *player, double time, GError **error);
 /* What is to be drawn: the scene at the present time. NULL where a motion fails at the start. Borrowed, valid until the
  * document changes. */
 TinkerFrame *tinker_player_frame(TinkerPlayer *player);
+
+/* Puts another frame of the scene where the record has it at a time. FALSE where that is not recorded. */
+gboolean tinker_player_place(TinkerPlayer *player, TinkerFrame *frame, double time);
 
 /* A scene whose start is what is shown now (or the sample before it); NULL where it cannot go on from there. (transfer
  * full) */

@@ -6,7 +6,8 @@
 GtkWidget *tinker_example_button_new(const TinkerExample *example, TinkerExamplePictures *pictures)
 {
     GtkWidget *button = gtk_button_new(), *box = gtk_box_new(GTK_ORIENTATION_VERTICAL, 6);
-    GtkWidget *picture = gtk_picture_new(), *label = gtk_label_new(tinker_translate_title(example->title));
+    const char *title = tinker_translate_title(example->title, example->description);
+    GtkWidget *picture = gtk_picture_new(), *label = gtk_label_new(title);
     gtk_widget_set_size_request(picture, TINKER_EXAMPLE_WIDTH, TINKER_EXAMPLE_HEIGHT);
     gtk_widget_set_halign(picture, GTK_ALIGN_CENTER);
     gtk_picture_set_can_shrink(GTK_PICTURE(picture), TRUE);
@@ -26,8 +27,7 @@ GtkWidget *tinker_example_button_new(const TinkerExample *example, TinkerExample
     gtk_widget_add_css_class(button, "flat");
     gtk_widget_add_css_class(button, "welcome-example");
     gtk_widget_set_tooltip_text(button, tinker_translate(example->description));
-    gtk_accessible_update_property(GTK_ACCESSIBLE(button), GTK_ACCESSIBLE_PROPERTY_LABEL,
-                                   tinker_translate_title(example->title), -1);
+    gtk_accessible_update_property(GTK_ACCESSIBLE(button), GTK_ACCESSIBLE_PROPERTY_LABEL, title, -1);
     tinker_example_pictures_add(pictures, picture, example->path);
     return button;
 }

@@ -73,8 +73,9 @@ static GtkWidget *entry_new(TinkerGallery *gallery, const TinkerTopic *topic, co
 {
     GtkWidget *child = gtk_flow_box_child_new(), *button = tinker_example_button_new(example, gallery->pictures);
     const char *description = tinker_translate(example->description);
-    g_autofree char *words = g_strjoin("\n", topic->title, tinker_translate_title(example->title), example->title,
-                                       description, example->description, NULL);
+    const char *title = tinker_translate_title(example->title, example->description);
+    g_autofree char *words =
+        g_strjoin("\n", topic->title, title, example->title, description, example->description, NULL);
     g_signal_connect(button, "clicked", G_CALLBACK(on_chosen), (gpointer)example);
     gtk_flow_box_child_set_child(GTK_FLOW_BOX_CHILD(child), button);
     gtk_widget_set_focusable(child, FALSE); /* the button has it */

@@ -23,6 +23,11 @@ TinkerDocument *tinker_graph_board_document(TinkerGraphBoard *board)
     return private_of(board)->document;
 }
 
+TinkerPlayer *tinker_graph_board_player(TinkerGraphBoard *board)
+{
+    return private_of(board)->player;
+}
+
 int tinker_graph_board_count(TinkerGraphBoard *board)
 {
     return (int)private_of(board)->views->len;

@@ -19,6 +19,7 @@ struct _TinkerGraphBoardClass {
 void tinker_graph_board_set_player(TinkerGraphBoard *board, TinkerDocument *document, TinkerPlayer *player);
 
 TinkerDocument *tinker_graph_board_document(TinkerGraphBoard *board);
+TinkerPlayer *tinker_graph_board_player(TinkerGraphBoard *board);
 /* The graph that a view shows. Borrowed, until the scene changes. */
 const TinkerSceneGraph *tinker_graph_board_graph(TinkerGraphBoard *board, TinkerGraphView *view);
 

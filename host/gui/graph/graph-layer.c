@@ -4,6 +4,7 @@
 
 #include <math.h>
 
+#include "gui/canvas/canvas-swept.h"
 #include "gui/curve/graph-edit.h"
 #include "gui/graph/graph-export.h"
 #include "render/picture/painter.h"
@@ -65,6 +66,7 @@ static void tinker_graph_layer_size_allocate(GtkWidget *widget, int width, int h
 {
     TinkerGraphLayer *layer = TINKER_GRAPH_LAYER(widget);
     TinkerGraphBoard *board = TINKER_GRAPH_BOARD(widget);
+    gtk_widget_queue_draw(GTK_WIDGET(layer->canvas)); /* names make way */
     for (int i = 0; i < tinker_graph_board_count(board); i++) {
         TinkerGraphView *view = tinker_graph_board_view(board, i);
         TinkerGraphBox box = box_of(layer, view);
@@ -82,10 +84,9 @@ static gboolean tinker_graph_layer_contains(GtkWidget *widget, double x, double 
     return FALSE;
 }
 
-/* Adds the boxes on the canvas that blocks are drawn in. */
-static void add_blocks(TinkerFrame *frame, const TinkerView *view, GArray *taken)
+/* Adds boxes of drawings in the world. */
+static void add_drawings(const GArray *boxes, const TinkerView *view, GArray *taken)
 {
-    g_autoptr(GArray) boxes = tinker_painter_boxes(frame, view);
     for (guint i = 0; i < boxes->len; i++) {
         const double *world = (const double *)(gpointer)boxes->data + 4 * (gsize)i;
         double left, top, right, bottom;
@@ -115,10 +116,18 @@ GArray *tinker_graph_layer_taken(TinkerGraphLayer *layer, TinkerFrame *frame)
         g_array_append_val(taken, box);
     }
     if (frame != NULL) {
-        add_blocks(frame, tinker_canvas_view(layer->canvas), taken);
+        g_autoptr(GArray) boxes = tinker_painter_boxes(frame, tinker_canvas_view(layer->canvas));
+        add_drawings(boxes, tinker_canvas_view(layer->canvas), taken);
         add_fields(frame, tinker_canvas_view(layer->canvas), taken);
     }
     return taken;
+}
+
+void tinker_graph_layer_add_swept(TinkerGraphLayer *layer, GArray *taken)
+{
+    const TinkerView *view = tinker_canvas_view(layer->canvas);
+    g_autoptr(GArray) boxes = tinker_swept_boxes(tinker_graph_board_player(TINKER_GRAPH_BOARD(layer)), view);
+    add_drawings(boxes, view, taken);
 }
 
 void tinker_graph_layer_find_room(TinkerGraphLayer *layer, TinkerFrame *frame, const double *size, double place[2],
@@ -127,6 +136,7 @@ void tinker_graph_layer_find_room(TinkerGraphLayer *layer, TinkerFrame *frame, c
     const TinkerView *view = tinker_canvas_view(layer->canvas);
     g_autoptr(GArray) taken = tinker_graph_layer_taken(layer, frame);
     TinkerGraphBox box = {0};
+    tinker_graph_layer_add_swept(layer, taken);
     size_on_screen(layer, size, &box);
     tinker_graph_find_room(&box, view->width, view->height - BAR_HEIGHT, (const TinkerGraphBox *)(gpointer)taken->data,
                            (int)taken->len);
@@ -295,10 +305,20 @@ static void added(TinkerGraphBoard *board, TinkerGraphView *view)
     gtk_widget_add_controller(GTK_WIDGET(view), keys);
 }
 
+static void add_panels(TinkerGraphLayer *layer, GArray *boxes)
+{
+    TinkerGraphBoard *board = TINKER_GRAPH_BOARD(layer);
+    for (int i = 0; layer->canvas != NULL && i < tinker_graph_board_count(board); i++) {
+        const TinkerGraphBox box = box_of(layer, tinker_graph_board_view(board, i));
+        g_array_append_vals(boxes, ((double[]){box.x, box.y, box.x + box.width, box.y + box.height}), 1);
+    }
+}
+
 void tinker_graph_layer_set_canvas(TinkerGraphLayer *layer, TinkerCanvas *canvas)
 {
     layer->canvas = g_object_ref(canvas);
     g_signal_connect_object(canvas, "view-changed", G_CALLBACK(gtk_widget_queue_allocate), layer, G_CONNECT_SWAPPED);
+    g_signal_connect_object(canvas, "panels", G_CALLBACK(add_panels), layer, G_CONNECT_SWAPPED);
 }
 
 static void tinker_graph_layer_dispose(GObject *object)

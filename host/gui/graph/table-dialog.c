@@ -66,12 +66,13 @@ static void on_response(GtkWidget *window, const char *response, Dialog *dialog)
                   (int)gtk_drop_down_get_selected(dialog->values));
 }
 
+/* Columns without a name are counted from 1, as a table is read; a scene's file counts from 0, the time. */
 static GtkDropDown *add_list(GtkGrid *grid, int row, const char *label, GPtrArray *names, guint selected)
 {
     GtkStringList *model = gtk_string_list_new(NULL);
     for (guint i = 0; i < names->len; i++) {
         const char *name = g_ptr_array_index(names, i);
-        g_autofree char *text = name[0] != '\0' ? g_strdup(name) : g_strdup_printf(_("Column %u"), i);
+        g_autofree char *text = name[0] != '\0' ? g_strdup(name) : g_strdup_printf(_("Column %u"), i + 1);
         gtk_string_list_append(model, text);
     }
     GtkWidget *list = gtk_drop_down_new(G_LIST_MODEL(model), NULL), *title = gtk_label_new_with_mnemonic(label);

@@ -6,6 +6,7 @@
 
 #include "gui/curve/graph-edit.h"
 #include "gui/instrument/instrument-edit.h"
+#include "gui/instrument/instrument-room.h"
 #include "gui/instrument/instrument-view.h"
 #include "gui/widget/unparent.h"
 #include "render/picture/painter.h"
@@ -27,10 +28,12 @@ struct _TinkerInstrumentLayer {
     TinkerDocument *document;
     TinkerPlayer *player;
     TinkerHand *hand;
-    GPtrArray *views;                  /* of TinkerInstrumentView, which are children: borrowed */
-    GArray *boxes;                     /* of TinkerGraphBox: where these are */
-    GArray *graph_boxes, *block_boxes; /* of TinkerGraphBox: what they keep clear of; `block_boxes` if there is room */
-    gboolean has_looked;               /* that is up to date */
+    GPtrArray *views;        /* of TinkerInstrumentView, which are children: borrowed */
+    GArray *boxes;           /* of TinkerGraphBox: where these are */
+    InstrumentRoom room;     /* what they keep clear of: of blocks on a small canvas alone */
+    gboolean has_looked;     /* that is up to date */
+    TinkerPlayerState state; /* of the player when it was heard of last */
+    gboolean awaits_run;     /* which began since, and whose way is not known yet */
 
     TinkerInstrumentView *dragged; /* borrowed; NULL: none */
     double press[2], from[2], way[2];
@@ -91,36 +94,53 @@ static void look_again(TinkerInstrumentLayer *layer)
     gtk_widget_queue_allocate(GTK_WIDGET(layer));
 }
 
+static void look_for_blocks(TinkerInstrumentLayer *layer)
+{
+    instrument_room_look_for_blocks(&layer->room, layer->graphs, tinker_player_frame(layer->player),
+                                    shrinkage(layer) < 1);
+}
+
 /* Graphs stand in the way. Where instruments are smaller than they were put there, since the canvas is small, blocks do
- * as well, where they are when one begins to look: instruments do not run away from what moves. */
+ * as well: where they are when one begins to look, and where they come in the run, as soon as that is known.
+ * Instruments do not run away from what moves. */
 static void look_about(TinkerInstrumentLayer *layer)
 {
     if (layer->has_looked || layer->views->len == 0) return;
     layer->has_looked = TRUE;
-    g_array_unref(layer->graph_boxes);
-    layer->graph_boxes = tinker_graph_layer_taken(layer->graphs, NULL);
-    if (tinker_player_state(layer->player) == TINKER_PLAYER_PLAYING) return;
-    g_array_unref(layer->block_boxes);
-    layer->block_boxes = shrinkage(layer) < 1
-                             ? tinker_graph_layer_taken(layer->graphs, tinker_player_frame(layer->player))
-                             : g_array_new(FALSE, FALSE, sizeof(TinkerGraphBox));
+    instrument_room_look_for_graphs(&layer->room, layer->graphs);
+    if (layer->state != TINKER_PLAYER_PLAYING) look_for_blocks(layer);
 }
 
-/* Out of the way of those before it, but for one that is dragged, and of what is about; and no lower than where a bar
- * may float, unless it was put there. */
+/* The way of a run is known when it is recorded, ahead of what is shown; of a long one, where it is halted. */
+static void on_moved(TinkerInstrumentLayer *layer)
+{
+    TinkerRunStatus status;
+    if (!layer->awaits_run || !tinker_player_status(layer->player, &status)) return;
+    if (layer->state == TINKER_PLAYER_PLAYING && !status.finished) return;
+    layer->awaits_run = FALSE;
+    look_for_blocks(layer);
+    gtk_widget_queue_allocate(GTK_WIDGET(layer));
+}
+
+static void on_state_changed(TinkerInstrumentLayer *layer)
+{
+    const TinkerPlayerState before = layer->state;
+    layer->state = tinker_player_state(layer->player);
+    if (before == TINKER_PLAYER_SETUP) layer->awaits_run = layer->state == TINKER_PLAYER_PLAYING;
+    on_moved(layer);
+}
+
+/* Out of the way of those before it, but for one that is dragged, of notices and of what is about; and no lower than
+ * where a bar may float, unless it was put there. */
 static void make_way(TinkerInstrumentLayer *layer, TinkerGraphBox *box)
 {
     const double width = gtk_widget_get_width(GTK_WIDGET(layer)), height = gtk_widget_get_height(GTK_WIDGET(layer));
     const double bottom = box->y + box->height <= height - BAR_HEIGHT ? height - BAR_HEIGHT : height;
-    g_autoptr(GArray) taken = g_array_copy(layer->graph_boxes);
+    g_autoptr(GArray) others = g_array_new(FALSE, FALSE, sizeof(TinkerGraphBox));
     for (guint i = 0; i < layer->boxes->len; i++)
         if (g_ptr_array_index(layer->views, i) != layer->dragged)
-            g_array_append_val(taken, g_array_index(layer->boxes, TinkerGraphBox, i));
-    const guint firm = taken->len;
-    g_array_append_vals(taken, layer->block_boxes->data, layer->block_boxes->len);
-    const TinkerGraphBox *all = (const TinkerGraphBox *)(gpointer)taken->data;
-    if (!tinker_graph_move_to_room(box, width, bottom, all, (int)taken->len))
-        tinker_graph_move_to_room(box, width, bottom, all, (int)firm);
+            g_array_append_val(others, g_array_index(layer->boxes, TinkerGraphBox, i));
+    instrument_room_make_way(&layer->room, others, width, bottom, tinker_canvas_covered(layer->canvas), box);
 }
 
 /* The boxes of all, in order. One that is dragged goes where the pointer takes it, and the others stay until it is
@@ -146,6 +166,7 @@ static void tinker_instrument_layer_size_allocate(GtkWidget *widget, int width, 
 {
     TinkerInstrumentLayer *layer = TINKER_INSTRUMENT_LAYER(widget);
     arrange(layer);
+    gtk_widget_queue_draw(GTK_WIDGET(layer->canvas)); /* names make way */
     for (guint i = 0; i < layer->views->len; i++) {
         GtkWidget *view = g_ptr_array_index(layer->views, i);
         const float factor = (float)shrinkage(layer);
@@ -167,6 +188,7 @@ void tinker_instrument_layer_find_room(TinkerInstrumentLayer *layer, double plac
     const double full = shrinkage(layer) * FULL_HEIGHT;
     TinkerGraphBox box = {.width = shrinkage(layer) * USUAL_WIDTH, .height = full};
     g_autoptr(GArray) taken = tinker_graph_layer_taken(layer->graphs, tinker_player_frame(layer->player));
+    tinker_graph_layer_add_swept(layer->graphs, taken);
     arrange(layer);
     for (guint i = 0; i < layer->boxes->len; i++) {
         TinkerGraphBox other = g_array_index(layer->boxes, TinkerGraphBox, i);
@@ -194,6 +216,14 @@ void tinker_instrument_layer_draw(TinkerInstrumentLayer *layer, cairo_t *cairo)
         gsk_render_node_draw(node, cairo);
         cairo_restore(cairo);
         gsk_render_node_unref(node);
+    }
+}
+
+static void add_panels(TinkerInstrumentLayer *layer, GArray *boxes)
+{
+    for (guint i = 0; layer->boxes != NULL && i < layer->boxes->len; i++) {
+        const TinkerGraphBox box = g_array_index(layer->boxes, TinkerGraphBox, i);
+        g_array_append_vals(boxes, ((double[]){box.x, box.y, box.x + box.width, box.y + box.height}), 1);
     }
 }
 
@@ -321,8 +351,7 @@ static void tinker_instrument_layer_dispose(GObject *object)
     tinker_unparent_children(GTK_WIDGET(object));
     g_clear_pointer(&layer->views, g_ptr_array_unref);
     g_clear_pointer(&layer->boxes, g_array_unref);
-    g_clear_pointer(&layer->graph_boxes, g_array_unref);
-    g_clear_pointer(&layer->block_boxes, g_array_unref);
+    instrument_room_clear(&layer->room);
     g_clear_pointer(&layer->hand, tinker_hand_free);
     g_clear_object(&layer->canvas);
     g_clear_object(&layer->graphs);
@@ -344,8 +373,7 @@ static void tinker_instrument_layer_init(TinkerInstrumentLayer *layer)
 {
     layer->views = g_ptr_array_new();
     layer->boxes = g_array_new(FALSE, FALSE, sizeof(TinkerGraphBox));
-    layer->graph_boxes = g_array_new(FALSE, FALSE, sizeof(TinkerGraphBox));
-    layer->block_boxes = g_array_new(FALSE, FALSE, sizeof(TinkerGraphBox));
+    instrument_room_init(&layer->room);
     gtk_widget_set_overflow(GTK_WIDGET(layer), GTK_OVERFLOW_HIDDEN);
 }
 
@@ -359,6 +387,9 @@ GtkWidget *tinker_instrument_layer_new(TinkerCanvas *canvas, TinkerGraphLayer *g
     layer->player = g_object_ref(player);
     layer->hand = tinker_hand_new(document, player);
     g_signal_connect_object(canvas, "view-changed", G_CALLBACK(look_again), layer, G_CONNECT_SWAPPED);
+    g_signal_connect_object(canvas, "panels", G_CALLBACK(add_panels), layer, G_CONNECT_SWAPPED);
+    g_signal_connect_object(player, "state-changed", G_CALLBACK(on_state_changed), layer, G_CONNECT_SWAPPED);
+    g_signal_connect_object(player, "moved", G_CALLBACK(on_moved), layer, G_CONNECT_SWAPPED);
     g_signal_connect_object(document, "changed", G_CALLBACK(on_changed), layer, G_CONNECT_SWAPPED);
     on_changed(layer);
     return GTK_WIDGET(layer);

@@ -77,6 +77,40 @@ static gboolean read_quantity_formula(const char *text, TinkerDimension dimensio
     return FALSE;
 }
 
+/* Whether a term of a sum ends at this sign: what follows is another number, not a unit as in "N-m". */
+static gboolean ends_term(const char *sign)
+{
+    if (*sign != '+' && *sign != '-') return FALSE;
+    const char *next = sign + 1 + strspn(sign + 1, " ");
+    return g_ascii_isdigit(*next) || *next == '.' || *next == '(';
+}
+
+/* Of a number or formula with its unit; bare ones are no terms beside those that have one: "6 m-3" might be meant for a
+ * power. */
+static gboolean read_term(const char *text, gsize length, TinkerDimension dimension, double *si)
+{
+    g_autofree char *term = g_strndup(text, length);
+    g_strstrip(term);
+    return !read_formula(term, si, NULL) &&
+           (tinker_quantity_parse(term, dimension, si, NULL) || read_quantity_formula(term, dimension, "", si, NULL));
+}
+
+/* "6.13 m-3 m": each term with a unit of its own. */
+static gboolean read_sum(const char *text, TinkerDimension dimension, double *si)
+{
+    const char *start = text;
+    double sum = 0, sign = 1, term;
+    for (const char *at = text; *at != '\0'; at++) {
+        if (at == start || !ends_term(at) || !read_term(start, (gsize)(at - start), dimension, &term)) continue;
+        sum += sign * term;
+        sign = *at == '-' ? -1 : 1;
+        start = at + 1;
+    }
+    if (start == text || !read_term(start, strlen(start), dimension, &term)) return FALSE;
+    *si = sum + sign * term;
+    return isfinite(*si);
+}
+
 gboolean tinker_number_read(const char *text, TinkerDimension dimension, const char *unit, double *si, GError **error)
 {
     static const TinkerDimension none = {0, 0, 0, 0};
@@ -89,7 +123,8 @@ gboolean tinker_number_read(const char *text, TinkerDimension dimension, const c
         return TRUE;
     }
     if (tinker_quantity_parse(plain, dimension, si, &cause)) return TRUE;
-    if (read_quantity_formula(plain, dimension, unit, si, &of_formula)) {
+    if (read_quantity_formula(plain, dimension, unit, si, &of_formula) || read_sum(plain, dimension, si)) {
+        g_clear_error(&of_formula);
         g_error_free(cause);
         return TRUE;
     }

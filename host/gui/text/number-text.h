@@ -7,9 +7,9 @@
 #include "units/quantity/units.h"
 
 /* Reads a quantity with any unit that fits; a bare number is in `unit` ("" for none). In the place of the number a
- * formula may stand, in the grammar of expressions and without t: "2*9.81", "sqrt(2) m". Where the locale writes a
- * comma before decimals, one comma is read as that. The answer is in SI. FALSE with an error that says what would be
- * right.
+ * formula may stand, in the grammar of expressions and without t: "2*9.81", "sqrt(2) m"; and a sum of such, each with a
+ * unit of its own: "6.13 m - 3 ft". Where the locale writes a comma before decimals, one comma is read as that. The
+ * answer is in SI. FALSE with an error that says what would be right.
  */
 gboolean tinker_number_read(const char *text, TinkerDimension dimension, const char *unit, double *si, GError **error);
 

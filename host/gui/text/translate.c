@@ -18,7 +18,8 @@ const char *tinker_translate(const char *text)
     return g_intern_string(title);
 }
 
-const char *tinker_translate_title(const char *title)
+const char *tinker_translate_title(const char *title, const char *description)
 {
-    return title == NULL ? NULL : g_dpgettext2(GETTEXT_PACKAGE, "Title of an example", title);
+    const gboolean is_bundled = title != NULL && tinker_translate(description) != description;
+    return is_bundled ? g_dpgettext2(GETTEXT_PACKAGE, "Title of an example", title) : title;
 }

@@ -8,8 +8,8 @@
  * with `text`, else it lives as long as the program. What is stored in a scene is never translated. (transfer none) */
 const char *tinker_translate(const char *text);
 
-/* Of the title of a scene: that of a bundled one in the user's language, any other as it was given, even where it
- * equals another text of the program. (transfer none) */
-const char *tinker_translate_title(const char *title);
+/* Of the title of a scene with this description (or NULL): that of a bundled one, which is told by its description, in
+ * the user's language; any other as it was given, even where it equals the title of a bundled one. (transfer none) */
+const char *tinker_translate_title(const char *title, const char *description);
 
 #endif

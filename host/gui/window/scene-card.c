@@ -26,7 +26,7 @@ static void on_changed(TinkerSceneCard *card)
 {
     const TinkerSceneHead *head = tinker_scene_head(tinker_document_scene(card->document));
     const gboolean told = *head->description != '\0';
-    show_text(card->title, tinker_translate_title(head->title));
+    show_text(card->title, tinker_translate_title(head->title, head->description));
     show_text(card->description, told ? tinker_translate(head->description)
                                       : _("This scene has no description. It is written under Properties, Scene."));
     if (told)

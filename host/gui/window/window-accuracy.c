@@ -126,7 +126,7 @@ static const TinkerRunEvent *last_event(TinkerPlayer *player)
 static void on_give_up(void *data)
 {
     const TinkerWindow *window = data;
-    tinker_player_reset(window->player);
+    tinker_player_give_up(window->player);
 }
 
 /* A run that shows nothing yet says why, and can be given up. */

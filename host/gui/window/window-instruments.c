@@ -62,4 +62,6 @@ void window_add_instruments(TinkerWindow *window)
         tinker_instrument_layer_new(window->canvas, window->graph_layer, window->document, window->player);
     window->instruments = TINKER_INSTRUMENT_LAYER(layer);
     gtk_overlay_add_overlay(window->canvas_overlay, layer);
+    /* below notices, as graphs are */
+    gtk_widget_insert_before(layer, GTK_WIDGET(window->canvas_overlay), GTK_WIDGET(window->banners));
 }

@@ -242,8 +242,8 @@ static void fill_examples(TinkerWindow *window)
         g_autoptr(GMenu) menu = g_menu_new();
         for (guint i = 0; i < topic->examples->len; i++) {
             const TinkerExample *example = g_ptr_array_index(topic->examples, i);
-            g_autoptr(GMenuItem) item =
-                item_of(tinker_translate_title(example->title), "win.open-example", example->path);
+            const char *title = tinker_translate_title(example->title, example->description);
+            g_autoptr(GMenuItem) item = item_of(title, "win.open-example", example->path);
             g_menu_append_item(menu, item);
         }
         g_menu_append_submenu(window->examples_menu, topic->title, G_MENU_MODEL(menu));

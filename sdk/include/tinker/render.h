@@ -82,7 +82,9 @@ typedef struct TinkerStyle {
     /* A circle, filled unless fill is -1, outlined unless edge is -1. */
     void (*circle)(const struct TinkerStyle *style, struct _cairo *cairo, int32_t fill, int32_t edge, double x,
                    double y, double radius);
-    /* Upright text about the point, 12 pixels high at any zoom. */
+    /* Upright text about the point, 12 pixels high at any zoom. The texts of a picture keep apart: one that would lie
+     * on another, of whatever block, that was written before it is moved a line down or up, or two, where there is
+     * room. A text at the very point of one before it lies over that. */
     void (*text)(const struct TinkerStyle *style, struct _cairo *cairo, int32_t colour, double x, double y,
                  const char *text);
     /* A thin line through `count` points, given as x, y, x, y, ...: however many there are, it is drawn at once. */

@@ -26,6 +26,16 @@ def test_measuring_ends_with_a_chart(display):
         app.find("button", "Measure Again")
 
 
+def test_measure_is_in_sight_in_a_small_window(display):
+    with App(display, oscillator()) as app:
+        widest = max(app.windows(), key=lambda window: window[1][2])
+        app.xdotool("windowsize", widest[0], 800, 500)
+        wait(lambda: app.canvas_box()[2] < 450, "the canvas to be small")
+        app.click("Accuracy", role="tab")
+        _, top, _, height = app.settled(app.find("button", "Measure"))
+        check(top + height <= app.settled(app.find("slider", "Time line"))[1], "it is below what is seen of the page")
+
+
 def test_method_is_offered_where_one_helps_alone(display):
     carts = scene(mass("A", -2, 0, velocity=[3, 0]), mass("B", 2, 0), duration=2)
     with App(display, carts) as app:

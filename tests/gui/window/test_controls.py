@@ -82,6 +82,43 @@ def test_none_covers_another_or_a_body_in_a_small_window(display):
                 check(any(p[k] + p[k + 2] <= q[k] + 1 for k in (0, 1) for p, q in ((a, b), (b, a))), f"{a} covers {b}")
 
 
+def test_meter_makes_way_for_a_swing_in_a_small_window(display):
+    """Not before the run is known, and then once: a bob on a spring along x comes to the meter that stood beside it."""
+    spring = [{"type": "support", "name": "Wall", "position": [-4, 1]}, {"type": "mass", "name": "Bob", "position": [-1.5, 1]},
+              {"type": "spring", "name": "Coil", "ends": ["Wall", "Bob"], "stiffness": 25, "rest_length": 4},
+              {"type": "support", "name": "Post", "position": [4, 1], "width": 1}]
+    meter = {"block": "Bob", "quantity": "x", "place": [0.2, 1.5]}
+    with App(display, scene(*spring, duration=4, canvas={"width": 10}, meters=[meter])) as app:
+        widest = max(app.windows(), key=lambda window: window[1][2])
+        app.xdotool("windowsize", widest[0], 800, 500)
+        wait(lambda: app.canvas_box()[2] < 450, "the canvas to be small")
+        node = app.find(None, re.compile("^Meter of "))
+        share = app.canvas_box()[2] / 560
+
+        def meets_the_way():
+            x, y, width, height = app.settled(node)
+            left, top, right, bottom = app.area(-1.9, 0.6, 1.9, 1.4)  # what the bob sweeps: 0 ± 1.5 m, and its size
+            return x < right and x + share * width > left and y < bottom and y + share * height > top
+
+        check(meets_the_way(), "where it was put it is not in the way")
+        app.press("space")
+        wait(lambda: not meets_the_way(), "it to make way")
+        place = app.settled(node)
+        wait(lambda: not app.is_playing(), "the end")
+        check_equal(app.settled(node), place, "where it has gone to")
+
+
+def test_meter_makes_way_for_a_notice(display):
+    """And goes back to its place when that is gone."""
+    meter = {"block": "A", "quantity": "x", "place": [-1, 99]}  # beyond the top: shown at it
+    with App(display, scene(mass("A", -1, 0, velocity=[1, 0]), mass("B", 1, 0), duration=4, meters=[meter])) as app:
+        notice, node = app.find("button", re.compile("pass through each other")), app.find(None, re.compile("^Meter of "))
+        _, top, _, height = app.settled(notice)
+        wait(lambda: app.settled(node)[1] > top + height, "it to stand below the notice")
+        app.click("Close Notice")
+        wait(lambda: app.settled(node)[1] < top + height, "it to go back")
+
+
 def test_added_by_the_property(display):
     with App(display, oscillator()) as app:
         app.show_width()

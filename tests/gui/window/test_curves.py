@@ -133,6 +133,22 @@ def test_columns_of_a_table(display):
         check_equal((added["table"], added["time_column"], added["column"]), ("track.csv", 1, 3), "columns in the file")
 
 
+def test_columns_without_headings(display):
+    """Are counted from 1, as a table is read."""
+    with App(display, falling()) as app:
+        (app.home / "bare.csv").write_text("0,7,1\n0.1,8,2\n")
+        dialog = open_dialog(app)
+        app.click("Add Table…", inside=dialog)
+        app.open_dialog("Choose a Table", app.home / "bare.csv")
+        asked = app.find(None, "Columns of the Table")
+        app.find(None, "Column 1", inside=asked)
+        app.find(None, "Column 2", inside=asked)
+        app.press("space", "End", "Return", "alt+a")
+        app.find("button", re.compile("^Remove bare.csv"), inside=dialog)
+        close_dialog(app)
+        check_equal(curves(app)[1]["column"], 2, "the third column in the file")
+
+
 def test_expression(display):
     with App(display, falling()) as app:
         dialog = open_dialog(app)

@@ -393,7 +393,7 @@ def test_support_is_turned_by_its_handle(display):
 
 
 def test_width_of_a_bar_is_dragged(display):
-    """On the grid, with Alt freely; the length stays, and the middle still drags the whole."""
+    """On the grid, with Alt freely, down to none and up again; the length stays, and the middle still drags the whole."""
     bar = {"type": "bar", "name": "Bar", "position": [0, 0], "mass": 1, "length": 4, "width": 0.2}
     with App(display, scene(bar)) as app:
         app.show_width()
@@ -403,8 +403,12 @@ def test_width_of_a_bar_is_dragged(display):
         app.drag((1, 0.4), (1, 0.25), keys=("alt",))
         width = app.saved()["blocks"][0]["width"]
         check_close(width, 0.5, 2.5 / app.scale(), "width, freely")
-        app.click("Undo")
-        app.click("Undo")
+        app.drag((1, 0.25), (1, 0), keys=("alt",))
+        check_equal(app.saved()["blocks"][0]["width"], 0, "width near the middle, freely")
+        app.drag((1, 0), (1, 0.39))
+        check_equal(app.saved()["blocks"][0]["width"], 0.8, "width out of none")
+        for _ in range(4):
+            app.click("Undo")
         check_equal(app.saved()["blocks"][0]["width"], 0.2, "width after undo")
         app.drag((0, 0), (0.4, 0.6))
         moved = app.saved()["blocks"][0]
