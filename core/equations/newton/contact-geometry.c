@@ -42,54 +42,62 @@ static TinkerExpression *across(TinkerExpression *const direction[2], const Tink
 
 /* The two blocks --------------------------------------------------------------------------------------------------- */
 
-static void touching_init(TinkerEquationWriter *writer, TinkerBlockId block, TinkerTouching *touching)
+static void side_init(TinkerEquationWriter *writer, TinkerBlockId block, TinkerContactSide *side)
 {
     const TinkerBodyEquation *body = g_hash_table_lookup(writer->body_of, GINT_TO_POINTER(block));
-    *touching = (TinkerTouching){0};
+    *side = (TinkerContactSide){0};
     if (body == NULL) {
-        tinker_writer_centre(writer, block, &touching->point);
-        touching->turns = !tinker_expression_is_number(touching->point.rate, 0);
+        tinker_writer_centre(writer, block, &side->point);
+        side->turns = !tinker_expression_is_number(side->point.rate, 0);
         return;
     }
-    touching->turns = body->inertia != NULL;
-    touching->point =
+    side->turns = body->inertia != NULL;
+    side->point =
         (TinkerPointSymbols){.block = block,
                              .x = state_of(writer, block, "x"),
                              .y = state_of(writer, block, "y"),
                              .vx = state_of(writer, block, "vx"),
                              .vy = state_of(writer, block, "vy"),
-                             .angle = touching->turns ? state_of(writer, block, "angle") : tinker_expression_number(0),
-                             .rate = touching->turns ? state_of(writer, block, "rate") : tinker_expression_number(0)};
+                             .angle = side->turns ? state_of(writer, block, "angle") : tinker_expression_number(0),
+                             .rate = side->turns ? state_of(writer, block, "rate") : tinker_expression_number(0)};
 }
 
-static void touching_clear(TinkerTouching *touching)
+static void side_clear(TinkerContactSide *side)
 {
-    tinker_point_symbols_clear(&touching->point);
-    g_clear_pointer(&touching->radius, tinker_expression_unref);
+    tinker_point_symbols_clear(&side->point);
+    g_clear_pointer(&side->radius, tinker_expression_unref);
+}
+
+static double rounding_of(const TinkerEquationWriter *writer, const TinkerContactForce *contact)
+{
+    return DBL_EPSILON * (hypot(contact->at[0], contact->at[1]) + writer->extent);
 }
 
 /* The names of an arm and of its parts in the axes of the block. */
 typedef struct {
+    TinkerBlockId of; /* the block */
     const char *local[2], *arm;
 } ArmNames;
 
 /* The arm to a place of a block, `own` in its own axes; nothing at its centre. */
-static void add_arm(TinkerEquationWriter *writer, const TinkerContactForce *contact, TinkerTouching *touching,
-                    const ArmNames *names, const double own[2], double rounding)
+static void add_arm(TinkerEquationWriter *writer, const TinkerContactForce *contact, TinkerContactSide *side,
+                    const ArmNames *names, const double own[2])
 {
     static const char *const components[] = {"x", "y"};
-    const TinkerExpression *angle = touching->point.angle;
+    const gboolean is_body = side->point.block >= 0;
+    const TinkerBlockId owner = is_body ? contact->seat : names->of;
+    const TinkerExpression *angle = side->point.angle;
     TinkerExpression *local[2], *arm[2];
     if (own[0] == 0 && own[1] == 0) return;
     for (int k = 0; k < 2; k++) {
-        local[k] =
-            tinker_writer_symbol(writer, tinker_contact_name(writer, contact, names->local[k], NULL), contact->seat,
-                                 own[k], tinker_length_dimension, NULL, "where it touches, in the body's axes");
-        tinker_equations_set_rounding(writer->equations, local[k]->name, rounding);
+        local[k] = tinker_writer_symbol(
+            writer, tinker_contact_name(writer, contact, names->local[k], NULL), owner, own[k], tinker_length_dimension,
+            NULL, is_body ? "where it touches, in the body's axes" : "its corner, in its own axes");
+        tinker_equations_set_rounding(writer->equations, local[k]->name, rounding_of(writer, contact));
     }
     if (tinker_expression_is_number(angle, 0)) {
-        touching->point.arm_x = local[0];
-        touching->point.arm_y = local[1];
+        side->point.arm_x = local[0];
+        side->point.arm_y = local[1];
         return;
     }
     arm[0] =
@@ -98,34 +106,29 @@ static void add_arm(TinkerEquationWriter *writer, const TinkerContactForce *cont
     arm[1] = tinker_expression_plus(tinker_expression_times(local[0], tinker_expression_call("sin", copy(angle))),
                                     tinker_expression_times(local[1], tinker_expression_call("cos", copy(angle))));
     for (int k = 0; k < 2; k++)
-        arm[k] =
-            tinker_writer_define(writer, tinker_contact_name(writer, contact, names->arm, components[k]), contact->seat,
-                                 tinker_length_dimension, "arm from the centre of mass", arm[k], FALSE);
-    touching->point.arm_x = arm[0];
-    touching->point.arm_y = arm[1];
+        arm[k] = tinker_writer_define(
+            writer, tinker_contact_name(writer, contact, names->arm, components[k]), owner, tinker_length_dimension,
+            is_body ? "arm from the centre of mass" : "from its centre to its corner", arm[k], FALSE);
+    side->point.arm_x = arm[0];
+    side->point.arm_y = arm[1];
 }
 
 /* A place in the axes of a shape, in those of its block: a mass has no angle, and its shape one that stays. */
-static void in_block_axes(const TinkerTouching *touching, double angle, const double place[2], double own[2])
+static void in_block_axes(const TinkerContactSide *side, double angle, const double place[2], double own[2])
 {
-    const gboolean stays = tinker_expression_is_number(touching->point.angle, 0);
+    const gboolean stays = tinker_expression_is_number(side->point.angle, 0);
     const double c = stays ? cos(angle) : 1, s = stays ? sin(angle) : 0;
     own[0] = c * place[0] - s * place[1];
     own[1] = s * place[0] + c * place[1];
 }
 
-static double rounding_of(const TinkerEquationWriter *writer, const TinkerContactForce *contact)
-{
-    return DBL_EPSILON * (hypot(contact->at[0], contact->at[1]) + writer->extent);
-}
-
 /* The tip ---------------------------------------------------------------------------------------------------------- */
 
 /* Where a corner lies, in the axes of its block. */
-static void corner_of(const TinkerEquationWriter *writer, const TinkerContactForce *contact, const TinkerTouching *tip,
-                      double own[2])
+static void corner_of(const TinkerEquationWriter *writer, const TinkerContactForce *contact,
+                      const TinkerContactSide *tip, double own[2])
 {
-    const TinkerTouch *touch = contact->touch;
+    const TinkerActingTouch *touch = contact->touch;
     if (touch != NULL) {
         in_block_axes(tip, touch->angle[touch->gap.tip_of], touch->gap.tip, own);
         return;
@@ -137,15 +140,15 @@ static void corner_of(const TinkerEquationWriter *writer, const TinkerContactFor
     own[1] = c * ry - s * rx;
 }
 
-static void add_tip(TinkerEquationWriter *writer, const TinkerContactForce *contact, TinkerTouching *tip)
+static void add_tip(TinkerEquationWriter *writer, const TinkerContactForce *contact, TinkerContactSide *tip)
 {
-    static const ArmNames names = {{"ax", "ay"}, "r"};
+    const ArmNames names = {contact->tip, {"ax", "ay"}, "r"};
     double own[2] = {0, 0};
-    touching_init(writer, contact->tip, tip);
+    side_init(writer, contact->tip, tip);
     if (contact->shape == TINKER_TOUCHES_AS_DISC)
         tip->radius = tinker_writer_meaning(writer, contact->tip, TINKER_MEANING_RADIUS, 0, "R");
     if (contact->shape == TINKER_TOUCHES_AT_CORNER) corner_of(writer, contact, tip, own);
-    add_arm(writer, contact, tip, &names, own, rounding_of(writer, contact));
+    add_arm(writer, contact, tip, &names, own);
 }
 
 /* The seat --------------------------------------------------------------------------------------------------------- */
@@ -232,14 +235,14 @@ static void add_edge(TinkerEquationWriter *writer, const TinkerContactForce *con
 
 static void add_round(TinkerEquationWriter *writer, const TinkerContactForce *contact, TinkerContactGeometry *geometry)
 {
-    static const ArmNames names = {{"bx", "by"}, "q"};
+    const ArmNames names = {contact->seat, {"bx", "by"}, "q"};
     const TinkerGapFunction *gap = &contact->touch->gap;
-    TinkerTouching *seat = &geometry->seat;
+    TinkerContactSide *seat = &geometry->seat;
     double own[2];
     if (gap->seat_radius > 0)
         seat->radius = tinker_writer_meaning(writer, contact->seat, TINKER_MEANING_RADIUS, 0, "R");
     in_block_axes(seat, contact->touch->angle[1 - gap->tip_of], gap->seat, own);
-    add_arm(writer, contact, seat, &names, own, rounding_of(writer, contact));
+    add_arm(writer, contact, seat, &names, own);
     if (seat->point.arm_x != NULL) {
         geometry->dx = tinker_expression_minus(geometry->dx, copy(seat->point.arm_x));
         geometry->dy = tinker_expression_minus(geometry->dy, copy(seat->point.arm_y));
@@ -266,7 +269,7 @@ void tinker_contact_geometry_init(TinkerEquationWriter *writer, const TinkerCont
                                   TinkerContactGeometry *geometry)
 {
     *geometry = (TinkerContactGeometry){0};
-    touching_init(writer, contact->seat, &geometry->seat);
+    side_init(writer, contact->seat, &geometry->seat);
     add_tip(writer, contact, &geometry->tip);
     const TinkerPointSymbols *tip = &geometry->tip.point, *seat = &geometry->seat.point;
     geometry->dx = tinker_expression_minus(copy(tip->x), copy(seat->x));
@@ -286,8 +289,8 @@ void tinker_contact_geometry_init(TinkerEquationWriter *writer, const TinkerCont
 void tinker_contact_geometry_clear(TinkerContactGeometry *geometry)
 {
     TinkerExpression *const parts[] = {geometry->normal[0], geometry->normal[1], geometry->dx, geometry->dy};
-    touching_clear(&geometry->tip);
-    touching_clear(&geometry->seat);
+    side_clear(&geometry->tip);
+    side_clear(&geometry->seat);
     for (gsize i = 0; i < G_N_ELEMENTS(parts); i++)
         tinker_expression_unref(parts[i]);
     g_clear_pointer(&geometry->off, tinker_expression_unref);
@@ -296,11 +299,11 @@ void tinker_contact_geometry_clear(TinkerContactGeometry *geometry)
 
 TinkerExpression *tinker_contact_gap(const TinkerContactGeometry *geometry)
 {
-    const TinkerTouching *tip = &geometry->tip, *seat = &geometry->seat;
+    const TinkerContactSide *tip = &geometry->tip, *seat = &geometry->seat;
     TinkerExpression *gap, *radii = tinker_expression_number(0);
     if (geometry->distance != NULL) {
         gap = copy(geometry->distance);
-        if (seat->radius != NULL) radii = copy(seat->radius);
+        if (seat->radius != NULL) radii = tinker_expression_plus(radii, copy(seat->radius));
     } else {
         gap = across(geometry->normal, geometry->dx, geometry->dy);
         radii = tinker_expression_plus(radii, copy(geometry->off));
@@ -315,14 +318,14 @@ TinkerExpression *tinker_contact_along(const TinkerContactGeometry *geometry)
                                    tinker_expression_times(copy(geometry->normal[0]), copy(geometry->dy)));
 }
 
-static TinkerExpression *turn_of(const TinkerTouching *touching, TinkerExpression *radius)
+static TinkerExpression *turn_of(const TinkerContactSide *side, TinkerExpression *radius)
 {
-    return tinker_expression_times(radius, copy(touching->point.angle));
+    return tinker_expression_times(radius, copy(side->point.angle));
 }
 
 TinkerExpression *tinker_contact_rolled(const TinkerContactGeometry *geometry)
 {
-    const TinkerTouching *tip = &geometry->tip, *seat = &geometry->seat;
+    const TinkerContactSide *tip = &geometry->tip, *seat = &geometry->seat;
     if (geometry->distance == NULL) {
         TinkerExpression *along = tinker_contact_along(geometry);
         if (tip->radius == NULL) return along;
@@ -337,7 +340,7 @@ TinkerExpression *tinker_contact_rolled(const TinkerContactGeometry *geometry)
         return NULL;
     }
     for (int k = 0; k < 2; k++) {
-        const TinkerTouching *of = k == 0 ? tip : seat;
+        const TinkerContactSide *of = k == 0 ? tip : seat;
         if (of->radius == NULL) continue;
         radii = tinker_expression_plus(radii, copy(of->radius));
         rolled = tinker_expression_plus(rolled, turn_of(of, copy(of->radius)));

@@ -10,10 +10,10 @@ typedef struct {
     TinkerPointSymbols point; /* its centre, with the arm to a corner that turns with it */
     gboolean turns;           /* a body that turns, or a support that does */
     TinkerExpression *radius; /* of a disc; else NULL */
-} TinkerTouching;
+} TinkerContactSide;
 
 typedef struct {
-    TinkerTouching tip, seat;
+    TinkerContactSide tip, seat;
     TinkerExpression
         *normal[2];             /* unit vector, from the seat to the tip; the seat runs along (normal[1], -normal[0]) */
     TinkerExpression *dx, *dy;  /* to the tip, from the centre of what has the seat; of a round, from that */

@@ -7,13 +7,13 @@
 typedef enum { TINKER_TOUCHES_AS_MASS, TINKER_TOUCHES_AS_DISC, TINKER_TOUCHES_AT_CORNER } TinkerTouchShape;
 
 typedef struct {
-    TinkerBlockId tip, seat;  /* of the seat: a support, or another body */
-    double normal, friction;  /* N, on what has the tip: from the seat to the tip, and along the seat */
-    double moment;            /* N m: what resists rolling, on what has the tip */
-    double at[2];             /* m: where it touches */
-    TinkerTouchShape shape;   /* of the tip */
-    const TinkerTouch *touch; /* NULL: nothing is known but that the seat is the top of a support */
-    const char *index;        /* of its symbols; NULL: that of the seat's block */
+    TinkerBlockId tip, seat;        /* of the seat: a support, or another body */
+    double normal, friction;        /* N, on what has the tip: from the seat to the tip, and along the seat */
+    double moment;                  /* N m: what resists rolling, on what has the tip */
+    double at[2];                   /* m: where it touches */
+    TinkerTouchShape shape;         /* of the tip */
+    const TinkerActingTouch *touch; /* NULL: nothing is known but that the seat is the top of a support */
+    const char *index;              /* of its symbols; NULL: that of the seat's block */
 } TinkerContactForce;
 
 /* Whether the seat is the top of a support, whose size says where it is. */

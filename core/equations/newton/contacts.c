@@ -110,7 +110,7 @@ static void add_contact(TinkerEquationWriter *writer, const TinkerActingForce *n
                                   .moment = friction != NULL ? friction->torque : 0,
                                   .at = {normal->x, normal->y},
                                   .index = index};
-    if (normal->touch >= 0) contact.touch = &g_array_index(writer->state->touches, TinkerTouch, normal->touch);
+    if (normal->touch >= 0) contact.touch = &g_array_index(writer->state->touches, TinkerActingTouch, normal->touch);
     contact.shape = shape_of(writer, &contact);
     tinker_writer_add_contact(writer, &contact);
 }
@@ -118,7 +118,7 @@ static void add_contact(TinkerEquationWriter *writer, const TinkerActingForce *n
 /* Whether a force is that on the tip of two shapes that touch, whose other forces follow from it. */
 static gboolean is_on_tip(const TinkerEquationWriter *writer, const TinkerActingForce *normal)
 {
-    const TinkerTouch *touch = &g_array_index(writer->state->touches, TinkerTouch, normal->touch);
+    const TinkerActingTouch *touch = &g_array_index(writer->state->touches, TinkerActingTouch, normal->touch);
     return normal->on == touch->block[touch->gap.tip_of];
 }
 
@@ -141,6 +141,7 @@ void tinker_writer_add_contacts(TinkerEquationWriter *writer)
         }
         g_autofree char *index = index_of(writer, normal, i);
         add_contact(writer, normal, friction,
-                    is_known ? g_array_index(writer->state->touches, TinkerTouch, normal->touch).normal : n, index);
+                    is_known ? g_array_index(writer->state->touches, TinkerActingTouch, normal->touch).normal : n,
+                    index);
     }
 }

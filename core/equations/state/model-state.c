@@ -124,7 +124,8 @@ gboolean tinker_model_state_force(const TinkerModelState *state, TinkerBlockId b
     return any;
 }
 
-gboolean tinker_model_state_end_force(const TinkerModelState *state, TinkerBlockId by, int32_t end, double force[3])
+gboolean tinker_model_state_end_force(const TinkerModelState *state, TinkerBlockId by, int32_t end,
+                                      const double about[2], double force[3])
 {
     gboolean any = FALSE;
     memset(force, 0, 3 * sizeof *force);
@@ -134,6 +135,7 @@ gboolean tinker_model_state_end_force(const TinkerModelState *state, TinkerBlock
         force[0] += acting->fx;
         force[1] += acting->fy;
         force[2] += acting->torque;
+        if (about != NULL) force[2] += (acting->x - about[0]) * acting->fy - (acting->y - about[1]) * acting->fx;
         any = TRUE;
     }
     return any;

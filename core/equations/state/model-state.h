@@ -17,7 +17,7 @@ typedef struct {
     double time;     /* s */
     GArray *bodies;  /* of TinkerBodyState, in the order of the scene */
     GArray *forces;  /* of TinkerActingForce */
-    GArray *touches; /* of TinkerTouch */
+    GArray *touches; /* of TinkerActingTouch */
 } TinkerModelState;
 
 /* The columns that a run is to have for that: the accelerations of all bodies. (transfer full) */
@@ -41,7 +41,9 @@ double tinker_model_state_moment(const TinkerModelState *state, const TinkerActi
 gboolean tinker_model_state_force(const TinkerModelState *state, TinkerBlockId by, TinkerBlockId on, int kind,
                                   double force[3]);
 
-/* What a block does at one of its ends: force, and torque beside that. FALSE where there is nothing. */
-gboolean tinker_model_state_end_force(const TinkerModelState *state, TinkerBlockId by, int32_t end, double force[3]);
+/* What a block does at one of its ends: force, and torque beside that, or (where not NULL) about a place. FALSE where
+ * there is nothing. */
+gboolean tinker_model_state_end_force(const TinkerModelState *state, TinkerBlockId by, int32_t end,
+                                      const double about[2], double force[3]);
 
 #endif

@@ -22,7 +22,7 @@ struct _TinkerActingForces {
     TinkerModel *model;
     double *acceleration;
     GArray *out;     /* borrowed, of the call in progress */
-    GArray *touches; /* of TinkerTouch */
+    GArray *touches; /* of TinkerActingTouch */
 };
 
 GArray *tinker_acting_forces_array(void)
@@ -35,7 +35,7 @@ TinkerActingForces *tinker_acting_forces_new(TinkerModel *model)
     TinkerActingForces *forces = g_new0(TinkerActingForces, 1);
     forces->model = model;
     forces->acceleration = g_new0(double, (gsize)MAX(model->coordinates, 1));
-    forces->touches = g_array_new(FALSE, FALSE, sizeof(TinkerTouch));
+    forces->touches = g_array_new(FALSE, FALSE, sizeof(TinkerActingTouch));
     return forces;
 }
 
@@ -213,13 +213,13 @@ static void note_touch(TinkerActingForces *forces, const TinkerContact *contact,
 {
     const TinkerPlate *plate = &forces->model->contacts->plates[contact->plate];
     const TinkerSurface *surface = &plate->surface;
-    const TinkerTouch touch = {.block = {block[0], block[1]},
-                               .angle = {plate->pair->angle[0], plate->pair->angle[1]},
-                               .gap = *plate->gap,
-                               .normal = {normal[0], normal[1]},
-                               .mode = contact->mode,
-                               .at_limit = contact->at_limit,
-                               .friction = {surface->static_friction, surface->dynamic_friction}};
+    const TinkerActingTouch touch = {.block = {block[0], block[1]},
+                                     .angle = {plate->pair->angle[0], plate->pair->angle[1]},
+                                     .gap = *plate->gap,
+                                     .normal = {normal[0], normal[1]},
+                                     .mode = contact->mode,
+                                     .at_limit = contact->at_limit,
+                                     .friction = {surface->static_friction, surface->dynamic_friction}};
     g_array_append_val(forces->touches, touch);
 }
 

@@ -38,7 +38,7 @@ typedef struct {
     TinkerContactMode mode; /* its friction is on what has the tip, along t */
     gboolean at_limit;      /* slips by its static coefficient */
     double friction[2];     /* coefficients: static, dynamic */
-} TinkerTouch;
+} TinkerActingTouch;
 
 typedef struct _TinkerActingForces TinkerActingForces;
 
@@ -57,7 +57,7 @@ G_DEFINE_AUTOPTR_CLEANUP_FUNC(TinkerActingForces, tinker_acting_forces_free)
  * TINKER_MODEL_ERROR_RUN where a plugin does not give its forces. */
 gboolean tinker_acting_forces_at(TinkerActingForces *forces, TinkerSimulation *simulation, GArray *out, GError **error);
 
-/* What touched when forces were asked for last: valid until the next time. Element: TinkerTouch. Borrowed. */
+/* What touched when forces were asked for last: valid until the next time. Element: TinkerActingTouch. Borrowed. */
 const GArray *tinker_acting_forces_touches(const TinkerActingForces *forces);
 
 /* The forces in a scene as it is set up, at t = 0: compiles it and lets it touch what it touches. Errors are those of
