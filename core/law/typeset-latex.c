@@ -71,6 +71,10 @@ static void put_number(GString *text, double number)
         g_string_append(text, "\\pi ");
         return;
     }
+    if (number == 2 * G_PI) {
+        g_string_append(text, "2 \\pi ");
+        return;
+    }
     tinker_typeset_digits(digits, number);
     const gboolean has_power = tinker_typeset_power(digits, &power);
     g_string_append(text, digits);

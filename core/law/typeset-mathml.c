@@ -46,6 +46,11 @@ static void put_number(GString *text, double number)
         put_text(text, "mi", "π");
         return;
     }
+    if (number == 2 * G_PI) {
+        put_text(text, "mn", "2");
+        put_text(text, "mi", "π");
+        return;
+    }
     tinker_typeset_digits(digits, number);
     const gboolean has_power = tinker_typeset_power(digits, &power);
     put_text(text, "mn", digits);

@@ -47,6 +47,10 @@ static void put_number(GString *text, double number)
         g_string_append(text, "pi");
         return;
     }
+    if (number == 2 * G_PI) {
+        g_string_append(text, "2 pi");
+        return;
+    }
     tinker_typeset_digits(digits, number);
     /* Translators: "1.5 times ten to the minus 7", as it is read out. */
     if (tinker_typeset_power(digits, &power))

@@ -34,6 +34,10 @@ static void put_number(GString *text, double number)
         g_string_append(text, "π");
         return;
     }
+    if (number == 2 * G_PI) {
+        g_string_append(text, "2π");
+        return;
+    }
     tinker_typeset_digits(digits, number);
     g_string_append(text, digits);
 }

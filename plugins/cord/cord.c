@@ -296,7 +296,7 @@ static const char *const sides[] = {"left", "right"};
 
 static const TinkerPropertyType properties[] = {
     {TINKER_PROPERTY_IN_PANEL(-1, TINKER_KIND_CHOICE, "side", "Side towards Load", "Cord", TINKER_DIMENSION_NONE),
-     .choice_count = 2, .choices = sides, .variability = TINKER_STRUCTURAL,
+     .symbol = "f", .choice_count = 2, .choices = sides, .variability = TINKER_STRUCTURAL,
      .description =
          "On which side it leaves the disc, as one looks from the disc's centre to its second end, the load: where "
          "that "
@@ -307,6 +307,20 @@ static const TinkerPropertyType properties[] = {
     {TINKER_REAL_PROPERTY("length", "Length", "Cord", TINKER_DIMENSION_LENGTH),
      TINKER_POSITIVE(TINKER_DEFAULT_AS_PLACED, 0.1, 10.0), .symbol = "l", .meaning = TINKER_MEANING_LENGTH,
      .variability = TINKER_STRUCTURAL, .description = "Of its free part at t = 0; longer than the way, it is slack"},
+};
+
+/* sigma is 1 - 2 f. */
+static const TinkerLawEquation law[] = {
+    TINKER_EQUATION("s", "sqrt((x2 - x1)^2 + (y2 - y1)^2 - R^2)", "free part", TINKER_DIMENSION_LENGTH),
+    TINKER_EQUATION("s0", "sqrt(max((x2_start - x1_start)^2 + (y2_start - y1_start)^2 - R^2, 0))",
+                    "free part at the start", TINKER_DIMENSION_LENGTH),
+    TINKER_EQUATION("φ",
+                    "mod(atan2(y2 - y1, x2 - x1) - atan2(y2_start - y1_start, x2_start - x1_start) + pi, 2*pi) - pi",
+                    "how far round the disc its second end has gone", TINKER_DIMENSION_ANGLE),
+    TINKER_EQUATION("w", "s - R*(atan2(s, R) - atan2(s0, R)) - (1 - 2*f)*R*(φ - (theta1 - theta1_start)) - l",
+                    "how far it is stretched, but for whole turns", TINKER_DIMENSION_LENGTH),
+    TINKER_EQUATION("c", "2*pi*R", "once round the disc", TINKER_DIMENSION_LENGTH),
+    TINKER_EQUATION("g", "w - if(w > c/2, c*floor(w/c + 0.5), 0)", NULL, TINKER_DIMENSION_LENGTH),
 };
 
 static const TinkerQuantityType quantities[] = {
@@ -340,7 +354,7 @@ static const TinkerBlockType blocks[] = {
      .summary = "Wound on a disc that it turns, one on either side of a heavy pulley; it pulls and never pushes",
      .formula = "L - R (φ - θ) <= l", .least_ends = 2, .most_ends = 2,
      .end_accepts = TINKER_ACCEPTS_BODY | TINKER_ACCEPTS_SUPPORT, .properties = TINKER_SPAN(properties),
-     .quantities = TINKER_SPAN(quantities), .interfaces = TINKER_SPAN(interfaces)},
+     .quantities = TINKER_SPAN(quantities), .interfaces = TINKER_SPAN(interfaces), .law = TINKER_SPAN(law)},
 };
 
 TINKER_DEFINE_PLUGIN("org.tinker.cord", "Cord", "0.1.0", "MIT", blocks)

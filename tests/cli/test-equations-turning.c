@@ -340,6 +340,31 @@ static void test_sliding_box(CliFixture *fixture, gconstpointer data)
     written_assert_page(fixture, "equations @scene.json", lines);
 }
 
+/* A heavy wheel between two loads on cords, of 2 kg, 3 kg and 5 kg: a = (5 - 3) g / (3 + 5 + 2/2), with the tensions
+ * 3 (g + a) and 5 (g - a), which turn the wheel by their radius. */
+static void test_cords(CliFixture *fixture, gconstpointer data)
+{
+    const double g = 9.81, a = (5 - 3) * g / (3 + 5 + 1);
+    g_autofree char *scene = cli_write(
+        fixture, "scene.json",
+        "{\"tinker\": 1, \"blocks\": [{\"type\": \"gravity\", \"name\": \"Gravity\"},"
+        "{\"type\": \"support\", \"name\": \"Axle\", \"position\": [0, 5], \"solid\": false},"
+        "{\"type\": \"disc\", \"name\": \"Wheel\", \"mass\": 2, \"radius\": 0.3, \"position\": [0, 5], \"solid\": "
+        "false},"
+        "{\"type\": \"pin\", \"name\": \"Pin\", \"ends\": [\"Axle\", \"Wheel\"]},"
+        "{\"type\": \"mass\", \"name\": \"Light\", \"mass\": 3, \"position\": [-0.3, 3]},"
+        "{\"type\": \"mass\", \"name\": \"Heavy\", \"mass\": 5, \"position\": [0.3, 3]},"
+        "{\"type\": \"cord\", \"name\": \"To light\", \"ends\": [\"Wheel\", \"Light\"], \"side\": \"right\"},"
+        "{\"type\": \"cord\", \"name\": \"To heavy\", \"ends\": [\"Wheel\", \"Heavy\"], \"side\": \"left\"}]}");
+    cJSON *root = written_json(fixture, "equations @scene.json --at 0.3 --as json");
+    written_assert_all(root);
+    written_assert_near(written_symbol(root, "λ_2"), -3 * (g + a), 1e-9);
+    written_assert_near(written_symbol(root, "λ_3"), -5 * (g - a), 1e-9);
+    cJSON_Delete(root);
+    static const char *const lines[] = {"I₁ θ̈₁ = λ₂ (1 − 2 f₂) R₂ + λ₃ R₃", "m₂ ÿ₂ = −m₂ g + λ₂ e_2,2y", "2π R₂", NULL};
+    written_assert_page(fixture, "equations @scene.json", lines);
+}
+
 /* A damper from a place on a beam that swings: its end there moves by omega x r. */
 static void test_turned_support(CliFixture *fixture, gconstpointer data)
 {
@@ -612,6 +637,7 @@ int main(int argc, char **argv)
     cli_test_add("/cli/equations-turning/latex", test_latex);
     cli_test_add("/cli/equations-turning/units", test_units);
     cli_test_add("/cli/equations-turning/rolling", test_rolling);
+    cli_test_add("/cli/equations-turning/cords", test_cords);
     cli_test_add("/cli/equations-turning/sliding-box", test_sliding_box);
     cli_test_add("/cli/equations-turning/turned-support", test_turned_support);
     return g_test_run();

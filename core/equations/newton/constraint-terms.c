@@ -8,6 +8,9 @@
 #include "equations/newton/writer.h"
 #include "law/build.h"
 
+/* Numbers, symbols and signs of a slope that is given a name. */
+#define LONG_SLOPE 30
+
 /* Slopes of one row at one end. */
 enum { BY_X, BY_Y, BY_ANGLE, SLOPES };
 
@@ -42,6 +45,28 @@ static guint first_alike(const GArray *points, guint number, int which)
     return number;
 }
 
+static int size_of(const TinkerExpression *expression)
+{
+    int size = 1;
+    for (int i = 0; i < expression->count; i++)
+        size += size_of(expression->parts[i]);
+    return size;
+}
+
+/* The slope itself, or a name for it where it is long: it stands beside others in the equation of a body. Takes it
+ * over. */
+static TinkerExpression *named_slope(TinkerEquationWriter *writer, const Rows *rows, guint end, int which,
+                                     TinkerExpression *slope)
+{
+    static const char *const components[SLOPES] = {"x", "y", NULL};
+    const char *of_block = tinker_writer_index(writer, rows->block);
+    if (size_of(slope) <= LONG_SLOPE || which == BY_ANGLE) return slope;
+    g_autofree char *index = g_strdup_printf("%s%s%u", of_block, of_block[0] != '\0' ? "," : "", end + 1);
+    const char *name = tinker_equations_free_name(writer->equations, rows->block, "e", index, 0, components[which]);
+    return tinker_writer_define(writer, name, rows->block, tinker_pure_dimension, "direction at that end", slope,
+                                FALSE);
+}
+
 /* Adds SLOPES expressions an end: 0 where it is on no body, or like one before it. */
 static void add_slopes(TinkerEquationWriter *writer, Rows *rows, const TinkerExpression *g)
 {
@@ -52,7 +77,8 @@ static void add_slopes(TinkerEquationWriter *writer, Rows *rows, const TinkerExp
             const gboolean none =
                 point->block < 0 || by[k]->kind != TINKER_EXPRESSION_SYMBOL || first_alike(rows->points, i, k) != i;
             g_ptr_array_add(rows->slopes,
-                            none ? tinker_expression_number(0) : tinker_writer_derivative(writer, g, by[k]->name));
+                            none ? tinker_expression_number(0)
+                                 : named_slope(writer, rows, i, k, tinker_writer_derivative(writer, g, by[k]->name)));
         }
     }
 }
@@ -70,9 +96,11 @@ static double *fitted(const TinkerEquationWriter *writer, const Rows *rows)
             matrix[i * n + r] =
                 tinker_equations_value(writer->equations, slope_at(rows, r, (guint)(i / SLOPES), (int)(i % SLOPES)));
     for (guint i = 0; i < rows->points->len; i++) {
+        const TinkerPointSymbols *point = point_at(rows->points, i);
+        const double place[] = {tinker_equations_value(writer->equations, point->x),
+                                tinker_equations_value(writer->equations, point->y)};
         double force[3];
-        if (point_at(rows->points, i)->block < 0 ||
-            !tinker_model_state_end_force(writer->state, rows->block, (int32_t)i, force))
+        if (point->block < 0 || !tinker_model_state_end_force(writer->state, rows->block, (int32_t)i, place, force))
             continue;
         for (int k = 0; k < SLOPES; k++)
             forces[first_alike(rows->points, i, k) * SLOPES + (guint)k] += force[k];
@@ -86,7 +114,7 @@ static gboolean acts(const TinkerEquationWriter *writer, const Rows *rows)
 {
     for (guint i = 0; i < rows->points->len; i++) {
         double force[3];
-        if (tinker_model_state_end_force(writer->state, rows->block, (int32_t)i, force) &&
+        if (tinker_model_state_end_force(writer->state, rows->block, (int32_t)i, NULL, force) &&
             (force[0] != 0 || force[1] != 0 || force[2] != 0))
             return TRUE;
     }
@@ -126,7 +154,7 @@ static void add_friction(TinkerEquationWriter *writer, const Rows *rows)
     for (guint i = 0; i < rows->points->len; i++) {
         double force[3];
         if (point_at(rows->points, i)->block < 0 ||
-            !tinker_model_state_end_force(writer->state, rows->block, (int32_t)i, force) || force[2] == 0)
+            !tinker_model_state_end_force(writer->state, rows->block, (int32_t)i, NULL, force) || force[2] == 0)
             continue;
         const TinkerDimension dimension = TINKER_DIMENSION_ENERGY;
         const TinkerPointSymbols centre = {.block = point_at(rows->points, i)->block};
