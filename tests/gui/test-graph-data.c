@@ -171,6 +171,31 @@ static void test_no_zero_where_a_curve_touches(void)
                    reading.kind == TINKER_READING_ZERO);
 }
 
+/* Nor where what was thrown up comes to 0 from below, at a sample and between two. */
+static void test_no_zero_at_a_top(void)
+{
+    static const double tops[] = {0.4, 0.437};
+    for (gsize i = 0; i < G_N_ELEMENTS(tops); i++) {
+        g_autoptr(GuiFixture) fixture = gui_fixture_new("");
+        g_autofree char *scene = g_strdup_printf(
+            "'run': {'duration': 1, 'interval': 0.1}, 'blocks': [{'type': 'gravity', 'name': 'G'}, {'type': 'mass', "
+            "'name': 'M', 'position': [0, %.17g], 'velocity': [0, %.17g]}], 'graphs': [{'block': 'M', 'quantity': "
+            "'y'}]",
+            -0.5 * GRAVITY * tops[i] * tops[i], GRAVITY * tops[i]);
+        gui_fixture_start_scene(fixture, scene);
+        graph_fixture_run_until(fixture, 1);
+        g_autoptr(TinkerGraphData) data = graph_fixture_data(fixture);
+        const TinkerGraphSeries *series = tinker_graph_data_curve(data, 0);
+        TinkerGraphReading reading = {0};
+        tinker_graph_data_catch_up(data);
+        g_assert_true(tinker_graph_reading_next(series, 0.05, TRUE, &reading));
+        g_assert_cmpint(reading.kind, ==, TINKER_READING_MAXIMUM);
+        g_assert_cmpfloat_with_epsilon(reading.at[0], tops[i], 1e-6);
+        g_assert_false(tinker_graph_reading_next(series, reading.at[0], TRUE, &reading) &&
+                       reading.kind == TINKER_READING_ZERO);
+    }
+}
+
 /* A ball that falls 0.4 m onto a floor turns back there, after sqrt(2 h / g), whatever the samples. */
 static void test_reading_of_a_kink(void)
 {
@@ -312,6 +337,7 @@ static void add_tests(void)
     g_test_add_func("/gui/graph-data/kink", test_reading_of_a_kink);
     g_test_add_func("/gui/graph-data/zeros", test_reading_of_zeros);
     g_test_add_func("/gui/graph-data/touch", test_no_zero_where_a_curve_touches);
+    g_test_add_func("/gui/graph-data/top", test_no_zero_at_a_top);
     g_test_add_func("/gui/graph-data/published-table", test_published_table);
     g_test_add_func("/gui/graph-data/scene-stays", test_scene_stays);
     g_test_add_func("/gui/graph-data/phase-plot", test_phase_plot);

@@ -283,6 +283,12 @@ static void test_reset_keeps_what_was(void)
     gui_fixture_set(fixture->base, "K", "stiffness", 0, 0); /* from here on straight on */
     player_wait_until(fixture, 4);
     tinker_player_reset(fixture->player);
+    double start, stiffness;
+    g_autoptr(TinkerScene) shown =
+        tinker_player_scene_shown(fixture->player, &start); /* not what was before the edit */
+    stiffness = tinker_scene_get(shown, gui_fixture_block(fixture->base, "K"), 0);
+    g_assert_cmpfloat(stiffness, ==, 0);
+    g_assert_true(isnan(tinker_player_changed_at(fixture->player)));
     g_assert_cmpuint(samples_of(fixture), ==, 401);
     g_assert_true(tinker_player_keep(fixture->player));
     tinker_player_seek(fixture->player, 1);

@@ -78,9 +78,16 @@ static gboolean extremum_about(const double *x, const double *y, gsize count, gs
     return TRUE;
 }
 
-/* The first place in a piece where the curve changes its sign; `start` and `end` are its values at both ends, and below
- * `nothing` is 0: where it touches 0 it has an extremum. */
-static gboolean zero_of_piece(const TinkerCurvePiece *piece, double start, double end, double nothing, double *time)
+/* Between `nothing` on either side a value is 0. */
+static int sign_of(double value, double nothing)
+{
+    return value > nothing ? 1 : value < -nothing ? -1 : 0;
+}
+
+/* The first place in a piece where the curve changes its sign from *sign, the last one before it that was not 0: where
+ * it touches 0 it has an extremum. `start` and `end` are its values at both ends. */
+static gboolean zero_of_piece(const TinkerCurvePiece *piece, double start, double end, double nothing, int *sign,
+                              double *time)
 {
     double edges[4] = {0, 0, 0, 1}, values[4] = {start, start, start, end};
     tinker_curve_piece_level(piece, edges + 1);
@@ -93,9 +100,11 @@ static gboolean zero_of_piece(const TinkerCurvePiece *piece, double start, doubl
         }
     }
     for (int i = 0; i < 3; i++) {
-        const gboolean below = values[i] < -nothing;
+        const int before = *sign, behind = sign_of(values[i + 1], nothing);
+        const gboolean below = before < 0;
         double low = edges[i], high = edges[i + 1];
-        if (below == (values[i + 1] < -nothing)) continue;
+        if (behind != 0) *sign = behind;
+        if (before == 0 || behind != -before) continue;
         for (int k = 0; k < BISECTIONS; k++) {
             const double half = 0.5 * (low + high);
             if ((tinker_curve_piece_value(piece, half) < 0) == below)
@@ -118,9 +127,12 @@ static gboolean zero_behind(const double *x, const double *y, gsize count, gsize
     const TinkerCurveSamples samples = {x, y, count};
     const guint parts = count >= TINKER_CURVE_LEAST ? tinker_curve_pieces(&samples, point, pieces) : 1;
     double start = y[point];
+    int sign = 0;
+    for (gsize before = point + 1; before > 0 && sign == 0; before--)
+        sign = sign_of(y[before - 1], nothing);
     for (guint i = 0; i < parts; i++) {
         const double end = i + 1 < parts ? pieces[i + 1].a : y[point + 1];
-        if (zero_of_piece(&pieces[i], start, end, nothing, &reading->at[0])) {
+        if (zero_of_piece(&pieces[i], start, end, nothing, &sign, &reading->at[0])) {
             reading->at[1] = 0;
             reading->kind = TINKER_READING_ZERO;
             return TRUE;

@@ -57,7 +57,7 @@ TinkerScene *tinker_player_scene_shown(TinkerPlayer *player, double *start)
 {
     const TinkerSegment *segment =
         player->recording.segments->len > 0 ? tinker_recording_at(&player->recording, player->time) : NULL;
-    const gboolean own = segment != NULL && segment->scene != NULL;
+    const gboolean own = segment != NULL && segment->scene != NULL && player->state != TINKER_PLAYER_SETUP;
     *start = own ? segment->start : 0;
     return tinker_scene_copy(own ? segment->scene : tinker_document_scene(player->document));
 }
@@ -134,7 +134,7 @@ gboolean tinker_player_run_anew(TinkerPlayer *player)
 double tinker_player_changed_at(TinkerPlayer *player)
 {
     const guint count = player->recording.segments->len;
-    return count > 1 ? player_segment(player, count - 1)->start : NAN;
+    return count > 1 && player->state != TINKER_PLAYER_SETUP ? player_segment(player, count - 1)->start : NAN;
 }
 
 void player_on_changed(TinkerPlayer *player)

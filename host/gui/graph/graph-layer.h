@@ -12,9 +12,8 @@ G_DECLARE_FINAL_TYPE(TinkerGraphLayer, tinker_graph_layer, TINKER, GRAPH_LAYER, 
 /* Lies over this canvas. Takes a reference. To be called before tinker_graph_board_set_player. */
 void tinker_graph_layer_set_canvas(TinkerGraphLayer *layer, TinkerCanvas *canvas);
 
-/* Where a graph has room in what is seen now: covers other graphs, the blocks and
- * their way in the run that is recorded as little as can be. `size` (m) is the
- * wanted one, or NULL. `place` and `room` are the answers, in m. */
+/* Where a graph has room in what is seen now: covers other graphs, the blocks and their way in the run that is recorded
+ * as little as can be. `size` (m) is the wanted one, or NULL. `place` and `room` are the answers, in m. */
 void tinker_graph_layer_find_room(TinkerGraphLayer *layer, TinkerFrame *frame, const double *size, double place[2],
                                   double room[2]);
 
