@@ -330,7 +330,7 @@ gboolean tinker_contact_run_change(TinkerContactRun *self, const TinkerTrigger *
 }
 
 /* Whether an impact at this instant threw something at what it touches, so that it approaches that only now. */
-static gboolean is_any_thrown(TinkerContactRun *self, double tolerance)
+static gboolean approaches_after_impact(TinkerContactRun *self, double tolerance)
 {
     TinkerIslandRun *run = self->run;
     double extent, speed;
@@ -348,12 +348,12 @@ static gboolean is_any_thrown(TinkerContactRun *self, double tolerance)
     return FALSE;
 }
 
-gboolean tinker_contact_run_change_through(TinkerContactRun *self, const TinkerTrigger *trigger, double tolerance,
-                                           double slow, GError **error)
+gboolean tinker_contact_run_change_until_parting(TinkerContactRun *self, const TinkerTrigger *trigger, double tolerance,
+                                                 double slow, GError **error)
 {
     const TinkerTrigger none = {.kind = TINKER_TRIGGER_NONE, .row = -1};
     if (!tinker_contact_run_change(self, trigger, tolerance, slow, error)) return FALSE;
-    for (int blows = 0; blows < MOST_FOLLOWING && is_any_thrown(self, tolerance); blows++)
+    for (int blows = 0; blows < MOST_FOLLOWING && approaches_after_impact(self, tolerance); blows++)
         if (!tinker_contact_run_change(self, &none, tolerance, slow, error)) return FALSE;
     return TRUE;
 }

@@ -257,9 +257,9 @@ TinkerStatus tinker_contact_run_end_at(TinkerContactRun *contact_run, const Tink
  * is closed. */
 gboolean tinker_contact_run_change(TinkerContactRun *contact_run, const TinkerTrigger *trigger, double tolerance,
                                    double slow, GError **error);
-/* The same at an instant that a sample may be of, a start or a blow, and then what its impacts bring about, so that the
- * state is that behind all of them. */
-gboolean tinker_contact_run_change_through(TinkerContactRun *contact_run, const TinkerTrigger *trigger,
-                                           double tolerance, double slow, GError **error);
+/* Passes an event at an instant that a sample may be of, a start or a blow, and then the impacts that its impacts bring
+ * about, 32 at most, so that the state is that behind them. */
+gboolean tinker_contact_run_change_until_parting(TinkerContactRun *contact_run, const TinkerTrigger *trigger,
+                                                 double tolerance, double slow, GError **error);
 
 #endif

@@ -220,7 +220,7 @@ gboolean tinker_contact_run_start(TinkerContactRun *self, GError **error)
     if (self->model->constraints.unilateral == NULL && !tinker_contacts_touch(self->contacts)) return TRUE;
     if (!enter_plane(self, error)) return FALSE;
     tinker_contacts_close_pins(self->contacts);
-    if (!tinker_contact_run_change_through(self, &none, TINKER_TOUCHING, TINKER_START_SLOW, error)) return FALSE;
+    if (!tinker_contact_run_change_until_parting(self, &none, TINKER_TOUCHING, TINKER_START_SLOW, error)) return FALSE;
     if (self->contacts->pin_count > 0) warn_of_pins(self);
     tinker_method_restart(run->choice.method, run->stepper);
     return TRUE;
@@ -246,7 +246,8 @@ gboolean tinker_contact_run_close_blow(TinkerContactRun *self, const double *giv
     self->hint = INFINITY;
     self->expects = FALSE;
     self->given = given;
-    const gboolean done = tinker_contact_run_change_through(self, &blow, tinker_contact_run_closed_gap(self), 0, error);
+    const gboolean done =
+        tinker_contact_run_change_until_parting(self, &blow, tinker_contact_run_closed_gap(self), 0, error);
     self->given = NULL;
     return done;
 }

@@ -107,9 +107,9 @@ static void write_unsettled(const TinkerBooks *books, FILE *file)
 {
     if (books->unsettled <= 0) return;
     tinker_print_line(file,
-                      "The sums are known to %.1g of what was moved, no better, whatever is left over: forces "
-                      "swing too often between these times. Take less time, with --from and --to.",
-                      books->unsettled);
+                      "The sums are right to about %.1g %% only, whatever is left over: forces swing too often between "
+                      "these times. Take less time, with --from and --to.",
+                      100 * books->unsettled);
 }
 
 void tinker_books_write_text(const TinkerBooks *books, TinkerScene *scene, const TinkerBlockId *bodies, FILE *file)

@@ -29,7 +29,7 @@ static void draw_turn(cairo_t *cairo, const double at[2], double radius, double 
     cairo_fill(cairo);
 }
 
-/* What stands at one; see label_of. (transfer full) */
+/* What stands at a torque: its name, and its value unless a list has that. (transfer full) */
 static char *turn_label_of(const DiagramDrawing *drawing, const char *name, double torque)
 {
     if (drawing->brief) return g_strdup(name);
@@ -37,7 +37,8 @@ static char *turn_label_of(const DiagramDrawing *drawing, const char *name, doub
     return g_strdup_printf("%s  %s", name, value);
 }
 
-/* The same in so much room: of what is too long the name is cut, never the value. With numbers the list has it. */
+/* What stands at a torque in so much room: of what is too long the name is cut, never the value. With numbers the list
+ * has it. */
 static char *turn_label_in(DiagramDrawing *drawing, const char *name, double torque, double room)
 {
     char *label = turn_label_of(drawing, name, torque);
