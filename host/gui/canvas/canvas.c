@@ -129,8 +129,7 @@ static gboolean keep_below_cover(gpointer data)
     if (room_above(canvas) <= canvas->fitted_above) return G_SOURCE_REMOVE;
     if (!canvas->view_is_fitted || canvas->gesture != CANVAS_IDLE || !box_of_all(canvas, box)) return G_SOURCE_REMOVE;
     tinker_view_to_canvas(&canvas->view, 0, box[3], &x, &top);
-    if (top < canvas_seen_from(canvas))
-        fit_box(canvas, canvas->fitted, canvas->fitted_margin, room_above(canvas));
+    if (top < canvas_seen_from(canvas)) fit_box(canvas, canvas->fitted, canvas->fitted_margin, room_above(canvas));
     return G_SOURCE_REMOVE;
 }
 
