@@ -104,6 +104,7 @@ typedef struct {
     int32_t body, by;        /* points: of the body that it acts on, and of the body or support that it comes from */
     double normal[2], at[2]; /* out of the other; relative to the origin */
     double press, friction;  /* N, along the normal and t */
+    double arm[2], slide[2]; /* of both bodies: the arms of these where the step began, over the radius of gyration */
 } TinkerPressing;
 
 /* One equation of the closed contacts that are solved together: `row` is what it keeps at 0, `force` the direction of

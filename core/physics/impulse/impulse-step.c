@@ -248,17 +248,15 @@ double tinker_impulse_speed_noise(const void *stepper)
     return self->pile != NULL ? TINKER_PILE_RESTS * self->pile->largest : 0;
 }
 
-/* By a force at a place. */
-static void accelerate(const TinkerModel *model, int32_t body, const double at[2], double fx, double fy, double *a)
+/* By what presses: on the first of its bodies (k is 0), or the opposite on the second. */
+static void accelerate(const TinkerModel *model, const TinkerPressing *pressing, int k, double *a)
 {
-    const TinkerPoint *centre = &model->point[body];
-    const int32_t turn = tinker_model_turn_of(model, body);
-    const double share = model->inverse_mass[body];
-    a[2 * body] += share * fx;
-    a[2 * body + 1] += share * fy;
-    if (turn < 0) return;
-    const double torque = (at[0] - centre->x) * fy - (at[1] - centre->y) * fx;
-    a[turn] += share * torque / model->turns[turn - 2 * model->bodies].gyration;
+    const int32_t body = k == 0 ? pressing->body : pressing->by, turn = tinker_model_turn_of(model, body);
+    const double share = (k == 0 ? 1 : -1) * model->inverse_mass[body];
+    const double *n = pressing->normal, press = pressing->press, friction = pressing->friction;
+    a[2 * body] += share * (press * n[0] + friction * n[1]);
+    a[2 * body + 1] += share * (press * n[1] - friction * n[0]);
+    if (turn >= 0) a[turn] += share * (press * pressing->arm[k] + friction * pressing->slide[k]);
 }
 
 void tinker_impulse_add_accelerations(const TinkerContacts *contacts, double *a)
@@ -271,10 +269,8 @@ void tinker_impulse_add_accelerations(const TinkerContacts *contacts, double *a)
     }
     for (guint i = 0; i < contacts->pressings->len; i++) {
         const TinkerPressing *each = &g_array_index(contacts->pressings, TinkerPressing, i);
-        const double fx = each->press * each->normal[0] + each->friction * each->normal[1];
-        const double fy = each->press * each->normal[1] - each->friction * each->normal[0];
-        accelerate(contacts->model, each->body, each->at, fx, fy, a);
-        if (each->by < contacts->model->bodies) accelerate(contacts->model, each->by, each->at, -fx, -fy, a);
+        accelerate(contacts->model, each, 0, a);
+        if (each->by < contacts->model->bodies) accelerate(contacts->model, each, 1, a);
     }
 }
 

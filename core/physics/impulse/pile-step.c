@@ -120,6 +120,8 @@ static void show(const TinkerImpulses *self, const TinkerPileTouch *touch, const
         .at = {at[0], at[1]},
         .press = point->normal / self->h,
         .friction = point->sliding / self->h,
+        .arm = {point->arm[0], point->arm[1]},
+        .slide = {point->slide[0], point->slide[1]},
     };
 }
 
