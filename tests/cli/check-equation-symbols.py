@@ -16,7 +16,7 @@ import unicodedata
 FORMS = ["newton", "matrix", "angles"]
 FUNCTIONS = {"sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sinh", "cosh", "tanh", "exp", "log", "sqrt", "abs",
              "min", "max", "sign", "floor", "mod", "pow", "step", "if", "else", "pi", "hypot"}
-NUMBER = r"[−-]?(?:\d+(?:\.\d+)?(?:e[+-]?\d+)?|π|\\pi )"
+NUMBER = r"[−-]?(?:\d+(?:\.\d+)?(?:e[+-]?\d+)?|2?π|(?:2 )?\\pi )"
 
 
 def page(tinker, scene, form, format_, *more):
