@@ -7,20 +7,10 @@
 
 #define GRAVITY 9.81
 
-static WrittenValues values_of(const cJSON *root)
-{
-    WrittenValues known = {g_hash_table_new_full(g_str_hash, g_str_equal, g_free, g_free),
-                           {cJSON_GetObjectItem(root, "definitions"), NULL}};
-    const cJSON *each;
-    cJSON_ArrayForEach(each, cJSON_GetObjectItem(root, "symbols"))
-        written_know(&known, each->string, cJSON_GetObjectItem(each, "value")->valuedouble);
-    return known;
-}
-
 static void assert_acceleration(const cJSON *root, const char *block, const double expected[3])
 {
     static const char *const parts[] = {"x", "y", "torque"};
-    WrittenValues known = values_of(root);
+    WrittenValues known = written_values(root);
     const cJSON *body, *term;
     cJSON_ArrayForEach(body, cJSON_GetObjectItem(root, "bodies"))
     {
@@ -40,7 +30,7 @@ static void assert_acceleration(const cJSON *root, const char *block, const doub
 
 static void assert_held(const cJSON *root, int count)
 {
-    WrittenValues known = values_of(root);
+    WrittenValues known = written_values(root);
     const cJSON *each;
     cJSON_ArrayForEach(each, cJSON_GetObjectItem(root, "constraints"))
         written_assert_near(written_value(&known, cJSON_GetObjectItem(each, "g")), 0, 1e-12);

@@ -76,6 +76,16 @@ void written_know(WrittenValues *known, const char *name, double value)
     g_hash_table_insert(known->values, g_strdup(name), kept);
 }
 
+WrittenValues written_values(const cJSON *root)
+{
+    WrittenValues known = {g_hash_table_new_full(g_str_hash, g_str_equal, g_free, g_free),
+                           {cJSON_GetObjectItem(root, "definitions"), NULL}};
+    const cJSON *each;
+    cJSON_ArrayForEach(each, cJSON_GetObjectItem(root, "symbols"))
+        written_know(&known, each->string, cJSON_GetObjectItem(each, "value")->valuedouble);
+    return known;
+}
+
 void written_assert_all(const cJSON *root)
 {
     g_assert_cmpint(cJSON_GetArraySize(cJSON_GetObjectItem(root, "not_written")), ==, 0);

@@ -26,6 +26,8 @@ typedef struct {
     const cJSON *definitions[2];
 } WrittenValues;
 
+/* Those of a page's symbols and definitions; the caller frees `values`. */
+WrittenValues written_values(const cJSON *root);
 void written_know(WrittenValues *known, const char *name, double value);
 
 /* What an expression is worth, by the forms that equations have. */

@@ -20,12 +20,6 @@ static TinkerExpression *copy(const TinkerExpression *expression)
     return tinker_expression_ref(expression);
 }
 
-static TinkerExpression *state_of(const TinkerEquationWriter *writer, TinkerBlockId body, const char *quantity)
-{
-    g_autofree char *name = g_strconcat(tinker_scene_block_name(writer->scene, body), ".", quantity, NULL);
-    return tinker_expression_symbol(name);
-}
-
 const char *tinker_contact_name(TinkerEquationWriter *writer, const TinkerContactForce *contact, const char *stem,
                                 const char *component)
 {
@@ -41,26 +35,6 @@ static TinkerExpression *across(TinkerExpression *const direction[2], const Tink
 }
 
 /* The two blocks --------------------------------------------------------------------------------------------------- */
-
-static void side_init(TinkerEquationWriter *writer, TinkerBlockId block, TinkerContactSide *side)
-{
-    const TinkerBodyEquation *body = g_hash_table_lookup(writer->body_of, GINT_TO_POINTER(block));
-    *side = (TinkerContactSide){0};
-    if (body == NULL) {
-        tinker_writer_centre(writer, block, &side->point);
-        side->turns = !tinker_expression_is_number(side->point.rate, 0);
-        return;
-    }
-    side->turns = body->inertia != NULL;
-    side->point =
-        (TinkerPointSymbols){.block = block,
-                             .x = state_of(writer, block, "x"),
-                             .y = state_of(writer, block, "y"),
-                             .vx = state_of(writer, block, "vx"),
-                             .vy = state_of(writer, block, "vy"),
-                             .angle = side->turns ? state_of(writer, block, "angle") : tinker_expression_number(0),
-                             .rate = side->turns ? state_of(writer, block, "rate") : tinker_expression_number(0)};
-}
 
 static void side_clear(TinkerContactSide *side)
 {
@@ -144,7 +118,7 @@ static void add_tip(TinkerEquationWriter *writer, const TinkerContactForce *cont
 {
     const ArmNames names = {contact->tip, {"ax", "ay"}, "r"};
     double own[2] = {0, 0};
-    side_init(writer, contact->tip, tip);
+    tinker_writer_centre(writer, contact->tip, &tip->point);
     if (contact->shape == TINKER_TOUCHES_AS_DISC)
         tip->radius = tinker_writer_meaning(writer, contact->tip, TINKER_MEANING_RADIUS, 0, "R");
     if (contact->shape == TINKER_TOUCHES_AT_CORNER) corner_of(writer, contact, tip, own);
@@ -269,7 +243,7 @@ void tinker_contact_geometry_init(TinkerEquationWriter *writer, const TinkerCont
                                   TinkerContactGeometry *geometry)
 {
     *geometry = (TinkerContactGeometry){0};
-    side_init(writer, contact->seat, &geometry->seat);
+    tinker_writer_centre(writer, contact->seat, &geometry->seat.point);
     add_tip(writer, contact, &geometry->tip);
     const TinkerPointSymbols *tip = &geometry->tip.point, *seat = &geometry->seat.point;
     geometry->dx = tinker_expression_minus(copy(tip->x), copy(seat->x));
@@ -330,7 +304,8 @@ TinkerExpression *tinker_contact_rolled(const TinkerContactGeometry *geometry)
         TinkerExpression *along = tinker_contact_along(geometry);
         if (tip->radius == NULL) return along;
         TinkerExpression *angle = copy(tip->point.angle);
-        if (seat->turns) angle = tinker_expression_minus(angle, copy(seat->point.angle));
+        if (!tinker_expression_is_number(seat->point.rate, 0))
+            angle = tinker_expression_minus(angle, copy(seat->point.angle));
         return tinker_expression_plus(along, tinker_expression_times(copy(tip->radius), angle));
     }
     TinkerExpression *radii = tinker_expression_number(0), *rolled = tinker_expression_number(0);

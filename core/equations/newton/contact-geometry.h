@@ -8,7 +8,6 @@
 /* One of the two; expressions are owned. */
 typedef struct {
     TinkerPointSymbols point; /* its centre, with the arm to a corner that turns with it */
-    gboolean turns;           /* a body that turns, or a support that does */
     TinkerExpression *radius; /* of a disc; else NULL */
 } TinkerContactSide;
 

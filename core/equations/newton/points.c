@@ -239,24 +239,33 @@ static void add_arm(TinkerEquationWriter *writer, TinkerPointSymbols *point, Tin
     point->arm_y = arm[1];
 }
 
+void tinker_writer_centre(TinkerEquationWriter *writer, TinkerBlockId block, TinkerPointSymbols *point)
+{
+    const TinkerBodyEquation *body = g_hash_table_lookup(writer->body_of, GINT_TO_POINTER(block));
+    if (body == NULL) {
+        point_copy(point, centre_of(writer, block));
+        return;
+    }
+    const gboolean turns = body->inertia != NULL;
+    *point = (TinkerPointSymbols){.block = block,
+                                  .x = state_of(writer, block, "x"),
+                                  .y = state_of(writer, block, "y"),
+                                  .vx = state_of(writer, block, "vx"),
+                                  .vy = state_of(writer, block, "vy")};
+    point->angle = turns ? state_of(writer, block, "angle") : tinker_expression_number(0);
+    point->rate = turns ? state_of(writer, block, "rate") : tinker_expression_number(0);
+}
+
 void tinker_writer_end(TinkerEquationWriter *writer, TinkerBlockId connector, int32_t number, TinkerPointSymbols *point)
 {
     const TinkerSceneEnd end = tinker_scene_end(writer->scene, connector, number);
     const TinkerBodyEquation *body = g_hash_table_lookup(writer->body_of, GINT_TO_POINTER(end.block));
+    tinker_writer_centre(writer, end.block, point);
+    if (end.x == 0 && end.y == 0) return;
     if (body != NULL) {
-        const gboolean turns = body->inertia != NULL;
-        *point = (TinkerPointSymbols){.block = end.block,
-                                      .x = state_of(writer, end.block, "x"),
-                                      .y = state_of(writer, end.block, "y"),
-                                      .vx = state_of(writer, end.block, "vx"),
-                                      .vy = state_of(writer, end.block, "vy")};
-        point->angle = turns ? state_of(writer, end.block, "angle") : tinker_expression_number(0);
-        point->rate = turns ? state_of(writer, end.block, "rate") : tinker_expression_number(0);
-        if (turns && (end.x != 0 || end.y != 0)) add_arm(writer, point, connector, number, &end);
+        if (body->inertia != NULL) add_arm(writer, point, connector, number, &end);
         return;
     }
-    point_copy(point, centre_of(writer, end.block));
-    if (end.x == 0 && end.y == 0) return;
     TinkerExpression *turned[2];
     turn_offset(writer, point->angle, offset(writer, connector, number, &end, TRUE),
                 offset(writer, connector, number, &end, FALSE), turned);
@@ -289,9 +298,4 @@ TinkerExpression *tinker_writer_start(TinkerEquationWriter *writer, TinkerBlockI
 GHashTable *tinker_writer_points_new(void)
 {
     return g_hash_table_new_full(NULL, NULL, NULL, point_free);
-}
-
-void tinker_writer_centre(TinkerEquationWriter *writer, TinkerBlockId support, TinkerPointSymbols *point)
-{
-    point_copy(point, centre_of(writer, support));
 }

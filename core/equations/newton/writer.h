@@ -138,8 +138,8 @@ TinkerExpression *tinker_law_use_equation(TinkerEquationWriter *writer, TinkerLa
 /* For TinkerEquationWriter.points. (transfer full) */
 GHashTable *tinker_writer_points_new(void);
 
-/* The centre of a support. */
-void tinker_writer_centre(TinkerEquationWriter *writer, TinkerBlockId support, TinkerPointSymbols *point);
+/* The centre of a support, or of a body. */
+void tinker_writer_centre(TinkerEquationWriter *writer, TinkerBlockId block, TinkerPointSymbols *point);
 
 /* Of an end of a block. */
 void tinker_writer_end(TinkerEquationWriter *writer, TinkerBlockId connector, int32_t number,
