@@ -96,14 +96,6 @@ static TinkerStatus look_between(Stepper *stepper, double from, double span, int
     return TINKER_OK;
 }
 
-static double largest(int32_t count, const double *x)
-{
-    double most = 0.0;
-    for (int32_t i = 0; i < count; i++)
-        most = fmax(most, fabs(x[i]));
-    return most;
-}
-
 /* The powers at a time within CVODE's last step. */
 static TinkerStatus powers_at(Stepper *stepper, double t, double *powers)
 {
@@ -130,9 +122,9 @@ static TinkerStatus add_by_gauss(Stepper *stepper, double from, double to, doubl
             books[i] += half * kronrod[of] * powers[i];
             differences[i] += half * (kronrod[of] - gauss[of]) * powers[i];
         }
-        *exchange = fmax(*exchange, 2.0 * half * largest(count, powers));
+        *exchange = fmax(*exchange, 2.0 * half * stepper_largest(count, powers));
     }
-    *off = largest(count, differences);
+    *off = stepper_largest(count, differences);
     return TINKER_OK;
 }
 
@@ -157,7 +149,8 @@ void stepper_books_look(Stepper *stepper, const TinkerState *state, double to, c
 static double rounding(const Stepper *stepper)
 {
     const TinkerSystem *system = stepper->system;
-    return CANCELS * stepper->energy + largest(system->size, system->mass) * stepper->slowest * stepper->slowest;
+    return CANCELS * stepper->energy +
+           stepper_largest(system->size, system->mass) * stepper->slowest * stepper->slowest;
 }
 
 /* Whether the powers are all but straight over the step, by two places that lie unevenly in it: then the cubics through
@@ -191,7 +184,7 @@ static TinkerStatus integrate_straight(Stepper *stepper, double from, double to,
 static TinkerStatus integrate_evenly(Stepper *stepper, double from, double to, const double *power_to, double *books)
 {
     const TinkerSystem *system = stepper->system;
-    const double exchanged = largest(system->books, stepper->books_from);
+    const double exchanged = stepper_largest(system->books, stepper->books_from);
     double off = 0.0, exchange = 0.0;
     int straight = 0;
     stepper->books_error = 0.0;

@@ -7,7 +7,7 @@
 /* Rounding of an entry, and of what it is made from. */
 #define ROUNDING (16.0 * DBL_EPSILON)
 
-static double largest(int32_t count, const double *x)
+double stepper_largest(int32_t count, const double *x)
 {
     double most = 0.0;
     for (int32_t i = 0; i < count; i++)
@@ -23,7 +23,7 @@ static double positive_or_one(double value)
 void stepper_scales_start(Stepper *stepper, const TinkerState *state, double limit, const double *a)
 {
     const TinkerSystem *system = stepper->system;
-    double extent = 0.0, speed = 0.0, remaining = limit - state->t, push = largest(system->size, a);
+    double extent = 0.0, speed = 0.0, remaining = limit - state->t, push = stepper_largest(system->size, a);
     system->scales(system->context, state->q, state->v, &extent, &speed);
     /* s: how long the push needs to move the system across itself */
     double time = push > 0.0 && extent > 0.0 ? fmin(sqrt(extent / push), remaining) : remaining;
@@ -74,7 +74,7 @@ int stepper_weights(N_Vector y, N_Vector weights, void *data)
     CVodeGetNumSteps(stepper->cvode, &steps);
     if (steps > 0) CVodeGetCurrentStep(stepper->cvode, &h);
     find_scales(stepper, q, q + n, h, steps, &extent, &speed);
-    double scale_q = fmax(stepper->tolerance * extent, ROUNDING * largest(n, q));
+    double scale_q = fmax(stepper->tolerance * extent, ROUNDING * stepper_largest(n, q));
     double scale_v = stepper->tolerance * speed + (h > 0.0 ? ROUNDING * extent / h : 0.0);
     if (!(scale_q > 0.0) || !(scale_v > 0.0) || !isfinite(scale_q) || !isfinite(scale_v)) return -1;
     for (int32_t i = 0; i < n; i++) {

@@ -73,6 +73,9 @@ int stepper_order_watch(Stepper *stepper);
 
 /* scales.c ------------------------------------------------------------------------------------------------------- */
 
+/* The largest magnitude among numbers; 0 of none. */
+double stepper_largest(int32_t count, const double *x);
+
 /* Before CVODE is started: finds the scales that the motion is headed for, by what the accelerations `a` can bring
  * about until `limit`. */
 void stepper_scales_start(Stepper *stepper, const TinkerState *state, double limit, const double *a);
