@@ -123,6 +123,7 @@ static gboolean zero_behind(const double *x, const double *y, gsize count, gsize
 {
     if (point + 1 >= count || !(x[point] < x[point + 1])) return FALSE;
     const double nothing = CONSTANT * fmax(fabs(y[point]), fabs(y[point + 1]));
+    if (!(nothing > 0)) return FALSE; /* it stays at 0, perhaps for all of a long curve */
     TinkerCurvePiece pieces[2] = {{x[point], x[point + 1] - x[point], y[point], y[point + 1] - y[point], 0, 0}};
     const TinkerCurveSamples samples = {x, y, count};
     const guint parts = count >= TINKER_CURVE_LEAST ? tinker_curve_pieces(&samples, point, pieces) : 1;
