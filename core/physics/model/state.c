@@ -27,7 +27,9 @@ TinkerBatch tinker_model_view(const TinkerModel *model, const TinkerBlockBatch *
         .point_lists =
             batch->point_lists != NULL ? batch->point_lists + (gsize)first * (gsize)batch->point_list_count : NULL,
         .end_masses = batch->end_masses != NULL ? batch->end_masses + batch->end_offsets[first] : NULL,
-        .laws = (const struct TinkerTypedLaw *const *)batch->laws + (gsize)first * (gsize)batch->law_count,
+        .laws = batch->laws != NULL
+                    ? (const struct TinkerTypedLaw *const *)batch->laws + (gsize)first * (gsize)batch->law_count
+                    : NULL,
     };
 }
 
