@@ -168,8 +168,51 @@ static void test_disc(void)
     }
 }
 
+/* What a blow brings about at its own instant comes behind it, whatever the blocks are called: A lies on a rough floor
+ * in front of the smooth S that strikes it, and slips from then on. */
+static void test_order_of_cause(void)
+{
+    g_autoptr(PhysicsRun) run =
+        physics_run(&(PhysicsOptions){.duration = 0.7}, CONTACT_WEIGHT CONTACT_FLOOR
+                    ", 'width': 40}," CART ", 'name': 'S', 'position': [0, 0.1], " CONTACT_SMOOTH
+                    ", 'velocity': [2, 0]}," CART ", 'name': 'A', 'static_friction': 1, 'dynamic_friction': 0.5, "
+                    "'position': [1.2, 0.1]}");
+    const GPtrArray *events = run->summary->events;
+    gint blow = -1, slip = -1;
+    for (guint i = 0; i < events->len; i++) {
+        const TinkerEvent *event = g_ptr_array_index(events, i);
+        if (event->time < 0.4) continue;
+        if (blow < 0 && g_str_equal(event->blocks, "S, A")) blow = (gint)i;
+        if (slip < 0 && g_str_equal(event->kind, "slip")) slip = (gint)i;
+    }
+    g_assert_cmpint(blow, >=, 0);
+    g_assert_cmpint(slip, >, blow);
+    physics_assert_near("at one instant", ((TinkerEvent *)g_ptr_array_index(events, slip))->time,
+                        ((TinkerEvent *)g_ptr_array_index(events, blow))->time, 0);
+}
+
+/* What happens at one instant in parts of the scene that do not touch is told part by part, whatever the samples are:
+ * some lie before the blows, one on them, or none. */
+static void test_order_of_parts(void)
+{
+    static const double intervals[] = {0.01, 0.1, 0.25, 1};
+    for (gsize i = 0; i < G_N_ELEMENTS(intervals); i++) {
+        g_autoptr(PhysicsRun) run =
+            physics_run(&(PhysicsOptions){.duration = 1, .interval = intervals[i]},
+                        CONTACT_FLOOR ", 'width': 40, 'restitution': 0.5}," CONTACT_POINT
+                                      ", 'name': 'Z', 'position': [0, 1], 'velocity': [0, -2]}," CONTACT_POINT
+                                      ", 'name': 'A', 'position': [3, 1], 'velocity': [0, -2]}");
+        const GPtrArray *events = run->summary->events;
+        g_assert_cmpuint(events->len, ==, 2);
+        g_assert_cmpstr(((TinkerEvent *)g_ptr_array_index(events, 0))->blocks, ==, "Z, Support 0");
+        g_assert_cmpstr(((TinkerEvent *)g_ptr_array_index(events, 1))->blocks, ==, "A, Support 0");
+    }
+}
+
 static void add_tests(void)
 {
+    g_test_add_func("/physics/contact-masses/order-of-cause", test_order_of_cause);
+    g_test_add_func("/physics/contact-masses/order-of-parts", test_order_of_parts);
     g_test_add_func("/physics/contact-masses/carts", test_carts);
     g_test_add_func("/physics/contact-masses/pi", test_pi);
     g_test_add_func("/physics/contact-masses/points", test_points);

@@ -114,6 +114,15 @@ static void name_change(TinkerContactChange *change, guint number)
     tinker_change_add_event(change, name, at);
 }
 
+/* What strikes comes before what the blow brings about at the same instant. */
+static void name_changes(TinkerContactChange *change)
+{
+    for (guint i = 0; i < change->touches->len; i++)
+        if (tinker_touch(change, i)->was == TINKER_CONTACT_OPEN) name_change(change, i);
+    for (guint i = 0; i < change->touches->len; i++)
+        if (tinker_touch(change, i)->was != TINKER_CONTACT_OPEN) name_change(change, i);
+}
+
 /* Whether it slips so slowly that a method whose first steps are of order 1 does not tell which way: its speed grows
  * with the second power of time. What was watched by its acceleration up to now is not any more. */
 static gboolean has_unclear_speed(const TinkerContactChange *change, const TinkerTouch *at)
@@ -274,8 +283,7 @@ static gboolean change_group(TinkerContactRun *self, const TinkerTrigger *trigge
     }
     if (done) turn_bodies(&change);
     done = done && settle_contacts(&change, error);
-    for (guint i = 0; done && i < change.touches->len; i++)
-        name_change(&change, i);
+    if (done) name_changes(&change);
     give_alternatives(&change, events);
     if (done) turn_bodies(&change);
     if (done) note_leaving(&change);

@@ -12,7 +12,8 @@
 void tinker_island_run_add_event(TinkerIslandRun *run, const char *kind, const char *blocks)
 {
     TinkerEvent *event = g_new0(TinkerEvent, 1);
-    *event = (TinkerEvent){run->state.t, g_strdup(kind), g_strdup(blocks), NULL, FALSE};
+    *event = (TinkerEvent){
+        .time = run->state.t, .island = run->model->body_blocks[0], .kind = g_strdup(kind), .blocks = g_strdup(blocks)};
     g_ptr_array_add(run->summary.events, event);
 }
 

@@ -1,6 +1,5 @@
 /* The summary of a whole run from those of its islands. */
 #include <math.h>
-#include <string.h>
 
 #include "physics/event/contact-run.h"
 #include "physics/island/island-run.h"
@@ -63,14 +62,13 @@ static void tell_islands(TinkerIslandRuns *self)
     }
 }
 
-/* Islands run one after another between samples: events are told in the order of their times, whatever the samples are.
- */
+/* Islands run one after another between samples: events are told in the order of their times, whatever the samples are;
+ * those of one instant island by island, and within one as they followed on one another: the sort keeps that order. */
 static int by_time(const void *left, const void *right)
 {
     const TinkerEvent *l = *(TinkerEvent *const *)left, *r = *(TinkerEvent *const *)right;
     if (l->time != r->time) return l->time < r->time ? -1 : 1;
-    int order = strcmp(l->blocks, r->blocks);
-    return order != 0 ? order : strcmp(l->kind, r->kind);
+    return (l->island > r->island) - (l->island < r->island);
 }
 
 void tinker_island_runs_add_up(TinkerIslandRuns *self)

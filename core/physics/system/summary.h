@@ -14,6 +14,7 @@ typedef struct {
 
 typedef struct {
     double time;
+    TinkerBlockId island; /* the first body of the part of the scene that it happened in */
     char *kind;           /* "break", "bifurcation", "start impulse", ... */
     char *blocks;         /* names, joined by ", " */
     GArray *alternatives; /* of TinkerAlternative, law by law, where the laws of impact differ; else NULL */
