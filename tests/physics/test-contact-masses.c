@@ -209,8 +209,31 @@ static void test_order_of_parts(void)
     }
 }
 
+/* A floor that takes nothing throws up what it carries, which presses it back ever sooner: where the two on top of each
+ * other take energy, all of it is gone in the end, and both lie. The end follows from that alone: m g h of both. */
+static void test_under_weight(void)
+{
+    static const struct {
+        double mass, restitution;
+    } cases[] = {{0.1, 0}, {0.5, 0.3}, {0.5, 0.8}, {3, 0.8}};
+    for (gsize i = 0; i < G_N_ELEMENTS(cases); i++) {
+        g_autoptr(PhysicsRun) run = physics_run(
+            &(PhysicsOptions){
+                .duration = 6, .impact_law = "sequential", .columns = "Mass 0.y, Mass 0.vy, Mass 1.y, Mass 1.vy"},
+            CONTACT_WEIGHT CONTACT_FLOOR ", 'width': 10, 'restitution': 1}," CART ", 'position': [0, 0.2]}," CART
+                                         ", 'mass': %g, 'restitution': %g, 'position': [0, 0.45]}",
+            cases[i].mass, cases[i].restitution);
+        physics_assert_near("lower", physics_last(run, 0), 0.1, 1e-12);
+        physics_assert_near("its speed", physics_last(run, 1), 0, 1e-12);
+        physics_assert_near("upper", physics_last(run, 2), 0.3, 1e-12);
+        physics_assert_near("its speed", physics_last(run, 3), 0, 1e-12);
+        contact_assert_taken(run, 0, CONTACT_GRAVITY * (0.1 + 0.15 * cases[i].mass), 1e-9);
+    }
+}
+
 static void add_tests(void)
 {
+    g_test_add_func("/physics/contact-masses/under-weight", test_under_weight);
     g_test_add_func("/physics/contact-masses/order-of-cause", test_order_of_cause);
     g_test_add_func("/physics/contact-masses/order-of-parts", test_order_of_parts);
     g_test_add_func("/physics/contact-masses/carts", test_carts);

@@ -89,12 +89,24 @@ gboolean tinker_change_push_all(TinkerContactChange *change, const double *impul
     return TRUE;
 }
 
+/* Whether something else that touches at the instant takes energy, by its restitution or by rubbing. */
+static gboolean is_braked(const TinkerContactChange *change, guint number)
+{
+    for (guint i = 0; i < change->touches->len; i++) {
+        const TinkerSurface surface = tinker_touch_surface(change, i);
+        if (i != number && (surface.restitution < 1 || surface.dynamic_friction > 0)) return TRUE;
+    }
+    return FALSE;
+}
+
 /* Rebounds below this (m/s) are none. Without any loss along the normal a bounce never ends, but where something else
- * takes energy: friction, to and fro between rough plates, or a damper or the air on the way. */
+ * takes energy: friction, to and fro between rough plates, a damper or the air on the way, or what lies on the body
+ * that bounces, which presses it back ever sooner. */
 static double least_rebound(const TinkerContactChange *change, guint number)
 {
     const TinkerSurface surface = tinker_touch_surface(change, number);
-    if (surface.restitution < 1) return fmax(TINKER_LEAST_REBOUND * change->speed, change->least_rise);
+    if (surface.restitution < 1 || is_braked(change, number))
+        return fmax(TINKER_LEAST_REBOUND * change->speed, change->least_rise);
     gboolean between = change->run->neighbours.lists[tinker_touch(change, number)->contact.body]->len > 1;
     gboolean damped = change->model->lines.any_damping || change->model->field_drag != 0;
     return damped || (between && surface.dynamic_friction > 0) ? TINKER_LEAST_REBOUND * change->speed : 0;
