@@ -1,4 +1,4 @@
-/* Runs that stop where a condition holds. */
+/* Runs that stop: where a condition holds, or because nobody looks on. */
 #include "player-fixture.h"
 
 #include <math.h>
@@ -70,8 +70,58 @@ static void test_stop_nowhere(void)
     g_assert_nonnull(strstr(error->message, "The condition that stops the run: \"{M.y} > 5\": column 1: "));
 }
 
+/* Small steps over many periods: minutes of work. */
+#define LONG_RUN "'run': {'duration': 20000, 'interval': 0.01, 'method': 'rk4', 'step': 1e-3}, " OSCILLATOR_BLOCKS
+
+static double reset_at(PlayerFixture *fixture, double time)
+{
+    player_play(fixture);
+    player_wait_until(fixture, time);
+    tinker_player_reset(fixture->player);
+    return tinker_player_reached(fixture->player);
+}
+
+/* Back at the start nothing is computed any more. What was recorded is there to be looked at, and played on from. */
+static void test_reset_ends_the_run(void)
+{
+    g_autoptr(PlayerFixture) fixture = player_fixture_new(LONG_RUN);
+    g_autoptr(GArray) times = g_array_new(FALSE, FALSE, sizeof(double));
+    g_autoptr(GArray) values = g_array_new(FALSE, FALSE, sizeof(double));
+    reset_at(fixture, 1);
+    wait_for_end(fixture);
+    const double reached = tinker_player_reached(fixture->player);
+    g_assert_cmpfloat(reached, >=, 1);
+    g_assert_cmpfloat(reached, <, 20000);
+    tinker_player_series(fixture->player, player_quantity(fixture, "y"), &(TinkerSeriesCursor){0}, times, values);
+    g_assert_cmpuint(values->len, >, 100);
+    player_assert_close(g_array_index(values, double, 100), 2 - cos(OMEGA), CLOSE);
+    tinker_player_seek(fixture->player, 0.5);
+    player_assert_close(player_height(fixture), 2 - cos(OMEGA * 0.5), CLOSE);
+    player_play(fixture);
+    player_wait_until(fixture, reached + 1);
+    tinker_player_advance(fixture->player, 0.25);
+    player_assert_close(tinker_player_time(fixture->player), 0.75, 1e-12);
+    player_assert_close(player_height(fixture), 2 - cos(OMEGA * 0.75), CLOSE);
+}
+
+/* A run that is kept goes on to its end. */
+static void test_reset_of_a_kept_run(void)
+{
+    g_autoptr(PlayerFixture) fixture = player_fixture_new(LONG_RUN);
+    TinkerRunStatus status;
+    player_play(fixture);
+    player_wait_until(fixture, 1);
+    g_assert_true(tinker_player_keep(fixture->player));
+    const double reached = reset_at(fixture, 1);
+    player_wait_until(fixture, reached + 1);
+    g_assert_true(tinker_player_status(fixture->player, &status));
+    g_assert_false(status.finished);
+}
+
 static void add_tests(void)
 {
+    g_test_add_func("/player/reset-ends-the-run", test_reset_ends_the_run);
+    g_test_add_func("/player/reset-of-a-kept-run", test_reset_of_a_kept_run);
     g_test_add_func("/player/stop-when", test_stop_when);
     g_test_add_func("/player/stop-nowhere", test_stop_nowhere);
 }

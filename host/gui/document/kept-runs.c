@@ -118,6 +118,16 @@ void tinker_kept_runs_remove_all(TinkerKeptRuns *runs)
     runs->next_id = 0;
 }
 
+gboolean tinker_kept_runs_have(TinkerKeptRuns *runs, const TinkerRunTask *task)
+{
+    for (guint i = 0; i < tinker_kept_runs_count(runs); i++) {
+        const GArray *segments = tinker_kept_runs_at(runs, i)->recording.segments;
+        for (guint k = 0; k < segments->len; k++)
+            if (g_array_index(segments, TinkerSegment, k).task == task) return TRUE;
+    }
+    return FALSE;
+}
+
 void tinker_kept_runs_rename(TinkerKeptRuns *runs, guint place, const char *name)
 {
     TinkerKeptRun *run = tinker_kept_runs_at(runs, place);

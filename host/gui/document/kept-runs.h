@@ -38,6 +38,8 @@ gboolean tinker_kept_runs_add(TinkerKeptRuns *runs, TinkerScene *scene, const Ti
                               const TinkerFrame *shown);
 void tinker_kept_runs_remove(TinkerKeptRuns *runs, guint place);
 void tinker_kept_runs_remove_all(TinkerKeptRuns *runs);
+/* Whether one of them is of this run. */
+gboolean tinker_kept_runs_have(TinkerKeptRuns *runs, const TinkerRunTask *task);
 /* A blank name changes nothing. */
 void tinker_kept_runs_rename(TinkerKeptRuns *runs, guint place, const char *name);
 void tinker_kept_runs_show(TinkerKeptRuns *runs, guint place, gboolean shown);

@@ -87,7 +87,7 @@ static void show_checked(TinkerPlayer *player, TinkerSegment *segment)
 gboolean tinker_player_estimate(TinkerPlayer *player)
 {
     TinkerSegment *segment = tinker_recording_last(&player->recording);
-    if (segment == NULL) return FALSE;
+    if (segment == NULL || segment->cut) return FALSE;
     const TinkerRunStatus status = tinker_run_task_status(segment->task);
     if (!status.estimate_due) return FALSE;
     if (!status.finished) return TRUE;

@@ -68,6 +68,28 @@ void player_record_from_start(TinkerPlayer *player)
     player_add_segment(player, tinker_scene_copy(tinker_document_scene(player->document)), 0);
 }
 
+void player_end_recording(TinkerPlayer *player)
+{
+    TinkerSegment *last = tinker_recording_last(&player->recording);
+    if (last == NULL || tinker_run_task_status(last->task).finished) return;
+    if (tinker_kept_runs_have(player->kept, last->task)) return;
+    tinker_run_task_stop(last->task);
+    last->cut = TRUE;
+}
+
+void player_resume_recording(TinkerPlayer *player)
+{
+    TinkerSegment *last = tinker_recording_last(&player->recording);
+    if (!last->cut) return;
+    const TinkerScene *scene = last->scene != NULL ? last->scene : player->ran;
+    tinker_run_task_unref(last->task);
+    last->task = player_new_task(player, tinker_scene_copy(scene), last->start, TRUE);
+    last->replaced = 0;
+    last->cut = FALSE;
+    player->recording.generation++;
+    player_note_anew(player, player->recording.segments->len - 1);
+}
+
 /* Takes the frame through all samples that its paths lack, up to the time shown. */
 static void note_paths(TinkerPlayer *player)
 {

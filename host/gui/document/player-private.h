@@ -45,6 +45,10 @@ TinkerRunTask *player_new_task(TinkerPlayer *player, TinkerScene *scene, double 
 /* Records this scene (transfer full) from a time on, as the last segment; in a trial without an estimate. */
 void player_add_segment(TinkerPlayer *player, TinkerScene *scene, double start);
 void player_record_from_start(TinkerPlayer *player);
+/* What is still being recorded is recorded no further, unless a kept run is to have all of it. */
+void player_end_recording(TinkerPlayer *player);
+/* Records what was ended so once more and to its end: the samples up to there are the same again. */
+void player_resume_recording(TinkerPlayer *player);
 /* The frame as it is at the time shown; made anew where the scene is another. */
 void player_update_frame(TinkerPlayer *player);
 void player_renew_frame(TinkerPlayer *player);

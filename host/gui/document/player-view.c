@@ -83,6 +83,7 @@ gboolean tinker_player_status(TinkerPlayer *player, TinkerRunStatus *status)
     const TinkerSegment *last = tinker_recording_last(&player->recording);
     if (last == NULL) return FALSE;
     *status = tinker_run_task_status(last->task);
+    if (last->cut) status->estimate_due = FALSE; /* none follows */
     return TRUE;
 }
 

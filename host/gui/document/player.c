@@ -8,10 +8,14 @@
 
 G_DEFINE_FINAL_TYPE(TinkerPlayer, tinker_player, G_TYPE_OBJECT)
 
-/* Makes sure that there is a record, or one in the making. One that was gone back from is that of a run before. */
+/* Makes sure that there is a record, or one in the making. One that was gone back from is that of a run before, unless
+ * a time of it was gone to since. */
 static gboolean have_record(TinkerPlayer *player, TinkerBlockId *culprit, GError **error)
 {
-    if (player->recording.segments->len > 0 && player->state != TINKER_PLAYER_SETUP) return TRUE;
+    if (player->recording.segments->len > 0 && player->state != TINKER_PLAYER_SETUP) {
+        player_resume_recording(player);
+        return TRUE;
+    }
     if (!player_can_run(player, culprit, error)) return FALSE;
     player_record_from_start(player);
     player_note_anew(player, 0);
@@ -78,6 +82,7 @@ void tinker_player_give_up(TinkerPlayer *player)
 
 void tinker_player_reset(TinkerPlayer *player)
 {
+    player_end_recording(player);
     player->time = 0;
     player_set_state(player, TINKER_PLAYER_SETUP);
     player_renew_frame(player);

@@ -61,8 +61,8 @@ void tinker_player_seek(TinkerPlayer *player, double time);
 gboolean tinker_player_go_to(TinkerPlayer *player, double time, TinkerBlockId *culprit, GError **error);
 /* Ends the run and forgets what it has recorded; back to the start. */
 void tinker_player_give_up(TinkerPlayer *player);
-/* Back to the start. What was recorded stays to be read until an edit changes the motion or a new run begins, as the
- * next one to play or to step from here is. */
+/* Back to the start. A run that is under way ends, unless it is kept. What was recorded stays to be read until an edit
+ * changes the motion or a new run begins, as the next one to play or to step from here is. */
 void tinker_player_reset(TinkerPlayer *player);
 /* The same because somebody wants to edit the start: tells so. */
 void tinker_player_rewind(TinkerPlayer *player);

@@ -11,6 +11,7 @@ typedef struct {
     double start; /* s */
     gboolean failure_told;
     guint replaced;        /* as in the task's status when it was looked at last */
+    gboolean cut;          /* its run was ended before its time, as nobody looked on */
     TinkerRunTask *checks; /* the same run once more, with an estimate of its error, until that is over; NULL. Owned */
     TinkerScene *scene; /* that it is the run of, where that is not the document's: of a record that was changed on the
                          * way. Owned */
