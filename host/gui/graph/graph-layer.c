@@ -20,6 +20,7 @@
 struct _TinkerGraphLayer {
     TinkerGraphBoard parent_instance;
     TinkerCanvas *canvas;
+    TinkerSwept swept;
 
     TinkerGraphView *dragged; /* borrowed; NULL: none */
     gboolean sizes;           /* else it moves */
@@ -126,7 +127,9 @@ GArray *tinker_graph_layer_taken(TinkerGraphLayer *layer, TinkerFrame *frame)
 void tinker_graph_layer_add_swept(TinkerGraphLayer *layer, GArray *taken)
 {
     const TinkerView *view = tinker_canvas_view(layer->canvas);
-    g_autoptr(GArray) boxes = tinker_swept_boxes(tinker_graph_board_player(TINKER_GRAPH_BOARD(layer)), view);
+    TinkerGraphBoard *board = TINKER_GRAPH_BOARD(layer);
+    const GArray *boxes =
+        tinker_swept_boxes(&layer->swept, tinker_graph_board_document(board), tinker_graph_board_player(board), view);
     add_drawings(boxes, view, taken);
 }
 
@@ -324,6 +327,7 @@ void tinker_graph_layer_set_canvas(TinkerGraphLayer *layer, TinkerCanvas *canvas
 static void tinker_graph_layer_dispose(GObject *object)
 {
     g_clear_object(&TINKER_GRAPH_LAYER(object)->canvas);
+    tinker_swept_clear(&TINKER_GRAPH_LAYER(object)->swept);
     G_OBJECT_CLASS(tinker_graph_layer_parent_class)->dispose(object);
 }
 
