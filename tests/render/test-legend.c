@@ -1,4 +1,4 @@
-/* The legend stands where no curve passes, or beside the plot. */
+/* The legend stands where no curve passes, or beside or above the plot. */
 #include <math.h>
 
 #include "render/plot/plot-private.h"
@@ -52,6 +52,52 @@ static void test_place(void)
     /* Both happen. */
     g_assert_cmpint(inside, >, 0);
     g_assert_cmpint(outside, >, 0);
+}
+
+/* The small plots there are, from the least graph of the window on: a legend covers no curve, lies within the picture
+ * and leaves the curves their height. */
+static void test_small(void)
+{
+    int above = 0;
+    for (int i = 0; i < 400; i++) {
+        double x[COUNT], y[5][COUNT];
+        TinkerCurve curves[5];
+        const int count = g_test_rand_int_range(1, 6);
+        const double width = g_test_rand_double_range(190, 480), height = g_test_rand_double_range(110, 300);
+        const double frequency = g_test_rand_double_range(0.1, 40), slope = g_test_rand_double_range(-2, 2);
+        for (int n = 0; n < count; n++) {
+            for (int k = 0; k < COUNT; k++) {
+                x[k] = k * 0.01;
+                y[n][k] = slope * x[k] + sin(frequency * x[k] + n);
+            }
+            curves[n] = (TinkerCurve){.label = n % 2 ? "Mass 0: Velocity" : "Spring of the left side: Tension",
+                                      .x = x,
+                                      .y = y[n],
+                                      .count = COUNT,
+                                      .colour = n};
+        }
+        const TinkerPlot plot = {.x_label = "Time [s]",
+                                 .y_label = "X [m]",
+                                 .curves = curves,
+                                 .curve_count = count,
+                                 .compact = g_test_rand_bit() != 0};
+        TinkerTextPen pen = TINKER_TEXT_PEN_INIT;
+        TinkerPlotLayout layout;
+        tinker_plot_lay_out(&layout, &plot, &pen, width, height);
+        const TinkerLegend *legend = &layout.legend;
+        above += legend->kind == TINKER_LEGEND_ABOVE;
+        if (legend->kind != TINKER_LEGEND_NONE) {
+            for (int n = 0; n < count; n++)
+                g_assert_false(passes(&layout, &curves[n], legend->box));
+            g_assert_true(legend->box[0] >= 0 && legend->box[2] <= width);
+            g_assert_true(legend->box[1] >= 0 && legend->box[3] <= height);
+            g_assert_cmpint(legend->entries, >, 0);
+        }
+        if (legend->kind == TINKER_LEGEND_ABOVE) g_assert_cmpfloat(layout.bottom - layout.top, >=, 0.3 * height);
+        tinker_plot_layout_clear(&layout);
+        tinker_text_pen_clear(&pen);
+    }
+    g_assert_cmpint(above, >, 0);
 }
 
 static void test_none(void)
@@ -120,6 +166,7 @@ int main(int argc, char **argv)
 {
     g_test_init(&argc, &argv, NULL);
     g_test_add_func("/render/legend/place", test_place);
+    g_test_add_func("/render/legend/small", test_small);
     g_test_add_func("/render/legend/none", test_none);
     g_test_add_func("/render/legend/cut", test_cut);
     return g_test_run();

@@ -184,8 +184,8 @@ static double room_at_right(TinkerPlotLayout *layout)
     return layout->sizes->pad + (title > 0 ? title + layout->sizes->pad : 0) + width + layout->sizes->tick_gap;
 }
 
-/* Margins from what has to stand in them; `aside` is what a legend takes at the right. */
-static void set_margins(TinkerPlotLayout *layout, double aside)
+/* Margins from what has to stand in them; `aside` and `above` are what a legend takes at the right and at the top. */
+static void set_margins(TinkerPlotLayout *layout, double aside, double above)
 {
     const TinkerPlotSizes *sizes = layout->sizes;
     double x_width = 0, x_height = 0, y_width = 0, y_height = 0;
@@ -197,7 +197,7 @@ static void set_margins(TinkerPlotLayout *layout, double aside)
     layout->left = sizes->pad + (y_title > 0 ? y_title + sizes->pad : 0) + y_width + sizes->tick_gap;
     layout->right =
         layout->width - aside - fmax(fmax(x_width / 2 + 2, sizes->pad) + sizes->pad / 2, room_at_right(layout));
-    layout->top = (title > 0 ? sizes->pad + title : 0) + fmax(y_height / 2, sizes->pad) + 2;
+    layout->top = (title > 0 ? sizes->pad + title : 0) + fmax(y_height / 2, sizes->pad) + 2 + above;
     layout->bottom =
         layout->height - sizes->pad - (x_title > 0 ? x_title + sizes->pad / 2 : 0) - x_height - sizes->tick_gap;
     /* What is too small for its margins keeps half of itself for the curves. */
@@ -225,10 +225,10 @@ static void equalise(TinkerPlotLayout *layout)
     layout->y.high += more_y / 2;
 }
 
-static void arrange(TinkerPlotLayout *layout, double aside)
+static void arrange(TinkerPlotLayout *layout, double aside, double above)
 {
     for (int round = 0; round < 3; round++) {
-        if (has_text(layout)) set_margins(layout, aside);
+        if (has_text(layout)) set_margins(layout, aside, above);
         set_ranges(layout);
         equalise(layout);
         set_axes(layout);
@@ -253,6 +253,27 @@ static TinkerPlotSizes enlarged(const TinkerPlotSizes *sizes, double by)
                              .legend_inset = by * sizes->legend_inset};
 }
 
+/* The curves give way for a legend that stands beside or above them, and then it is known where. */
+static void give_way(TinkerPlotLayout *layout)
+{
+    TinkerLegend *legend = &layout->legend;
+    const double width = legend->box[2] - legend->box[0], height = legend->box[3] - legend->box[1];
+    const double pad = layout->sizes->pad;
+    if (legend->kind == TINKER_LEGEND_OUTSIDE) {
+        arrange(layout, width + pad, 0);
+        legend->box[0] = layout->width - width - pad;
+        legend->box[1] = layout->top;
+    } else if (legend->kind == TINKER_LEGEND_ABOVE) {
+        arrange(layout, 0, height + 2);
+        legend->box[0] = fmin(layout->left, layout->width - pad - width);
+        legend->box[1] = layout->top - 2 - height;
+    } else {
+        return;
+    }
+    legend->box[2] = legend->box[0] + width;
+    legend->box[3] = legend->box[1] + height;
+}
+
 void tinker_plot_lay_out(TinkerPlotLayout *layout, const TinkerPlot *plot, TinkerTextPen *pen, double width,
                          double height)
 {
@@ -269,16 +290,10 @@ void tinker_plot_lay_out(TinkerPlotLayout *layout, const TinkerPlot *plot, Tinke
     layout->right = layout->width - 1;
     layout->bottom = layout->height - 1;
     find_ranges(layout);
-    arrange(layout, 0);
+    arrange(layout, 0, 0);
     if (!has_text(layout)) return;
     tinker_plot_place_legend(layout);
-    if (layout->legend.kind != TINKER_LEGEND_OUTSIDE) return;
-    double legend_width = layout->legend.box[2] - layout->legend.box[0];
-    arrange(layout, legend_width + layout->sizes->pad);
-    layout->legend.box[0] = layout->width - legend_width - layout->sizes->pad;
-    layout->legend.box[2] = layout->width - layout->sizes->pad;
-    layout->legend.box[3] += layout->top - layout->legend.box[1];
-    layout->legend.box[1] = layout->top;
+    give_way(layout);
 }
 
 void tinker_plot_layout_clear(TinkerPlotLayout *layout)

@@ -1,6 +1,6 @@
 /* The legend looks for the corner, then the side, that no curve passes; where there is none it stands beside the plot,
- * and where there is no room beside it, over the curves where it hides least, on a ground that lets them through a
- * little. */
+ * and where there is no room beside it, in lines above the curves. It hides nothing of them: where there is no room at
+ * all it is left out. */
 #include <math.h>
 #include <string.h>
 
@@ -13,6 +13,10 @@
 #define WIDEST_COMPACT 0.65
 #define WIDEST_ASIDE   0.3  /* of the picture: likewise of a legend beside the plot */
 #define LEAST_ASIDE    90.0 /* a narrower legend beside the plot says too little */
+#define MOST_ROWS      3    /* of a legend above the plot, */
+#define LEAST_COLUMN   60.0 /* in columns that are no narrower, */
+#define LEAST_CURVES   40.0 /* over curves that are no lower: */
+#define LEAST_SHARE    0.35 /* of the picture, either */
 #define DOTS           "…"
 
 static const char *label_of(const TinkerPlotLayout *layout, int curve)
@@ -159,6 +163,30 @@ static double find_inside(TinkerPlotLayout *layout, double width, double height)
     return best;
 }
 
+/* Its size in lines above the curves; where they stand is known when these have given way. */
+static void size_above(TinkerPlotLayout *layout, int entries)
+{
+    TinkerLegend *legend = &layout->legend;
+    const double row = layout->sizes->legend_row, around = layout->sizes->legend_sample + 3 * INNER;
+    const double across = layout->width - layout->left - layout->sizes->pad;
+    const double spare = layout->bottom - layout->top - fmax(LEAST_CURVES, LEAST_SHARE * layout->height);
+    const int most = (int)fmin(floor(spare / row), MOST_ROWS);
+    legend->kind = TINKER_LEGEND_NONE;
+    if (most < 1 || across < LEAST_COLUMN) return;
+    const double wished = around + widest_label(layout, fmax(across - around, 1));
+    const int needed = (entries + most - 1) / most;
+    const int columns = CLAMP((int)(across / wished), MIN(needed, (int)(across / LEAST_COLUMN)), entries);
+    const int rows = MIN((entries + columns - 1) / columns, most);
+    if (columns * rows < MIN(entries, 2)) return;
+    legend->kind = TINKER_LEGEND_ABOVE;
+    legend->columns = columns;
+    legend->column_width = fmin(wished, across / columns);
+    legend->entries = columns * rows >= entries ? entries : columns * rows - 1;
+    legend->limit = legend->column_width - around;
+    legend->box[2] = legend->box[0] + columns * legend->column_width;
+    legend->box[3] = legend->box[1] + rows * row;
+}
+
 void tinker_plot_place_legend(TinkerPlotLayout *layout)
 {
     TinkerLegend *legend = &layout->legend;
@@ -167,20 +195,33 @@ void tinker_plot_place_legend(TinkerPlotLayout *layout)
     int rows = MIN(entries, (int)floor(room / layout->sizes->legend_row));
     legend->kind = TINKER_LEGEND_NONE;
     if (rows < 1) return;
+    const gboolean has_room = rows > 1 || entries == 1;
     legend->entries = rows < entries ? rows - 1 : entries;
     double widest = layout->plot->compact ? WIDEST_COMPACT : WIDEST;
     legend->limit = fmax(widest * (layout->right - layout->left) - layout->sizes->legend_sample - 3 * INNER, 20);
     double width = widest_label(layout, legend->limit) + layout->sizes->legend_sample + 3 * INNER,
            height = rows * layout->sizes->legend_row + 2 * INNER - 3;
-    double share = find_inside(layout, width, height);
+    double share = has_room ? find_inside(layout, width, height) : INFINITY;
     double aside = fmin(width, WIDEST_ASIDE * layout->width);
     legend->kind = TINKER_LEGEND_INSIDE;
-    if (share > 0 && !layout->plot->compact && aside >= fmin(width, LEAST_ASIDE)) {
+    legend->columns = 1;
+    if (share > 0 && has_room && !layout->plot->compact && aside >= fmin(width, LEAST_ASIDE)) {
         legend->kind = TINKER_LEGEND_OUTSIDE;
         legend->limit = fmin(legend->limit, aside - layout->sizes->legend_sample - 3 * INNER);
         legend->box[2] = legend->box[0] + aside;
+    } else if (share > 0) {
+        size_above(layout, entries);
     }
     legend->keeps_ends = must_keep_ends(layout);
+}
+
+/* The middle of the left end of a place in it. */
+static void place_of(const TinkerPlotLayout *layout, int number, double *x, double *y)
+{
+    const TinkerLegend *legend = &layout->legend;
+    const double inner = legend->kind == TINKER_LEGEND_ABOVE ? 0 : INNER - 1.5;
+    *x = legend->box[0] + INNER + number % legend->columns * legend->column_width;
+    *y = legend->box[1] + inner + (number / legend->columns + 0.5) * layout->sizes->legend_row;
 }
 
 static void draw_entry(cairo_t *cairo, const TinkerPlotLayout *layout, int curve, double x, double y)
@@ -210,11 +251,10 @@ static void draw_label(cairo_t *cairo, const TinkerPlotLayout *layout, const cha
     tinker_text_draw(layout->pen, cairo, &text, x + layout->sizes->legend_sample + INNER, y);
 }
 
-void tinker_plot_draw_legend(cairo_t *cairo, const TinkerPlotLayout *layout)
+/* What it stands on, where that is the plot. */
+static void draw_ground(cairo_t *cairo, const TinkerPlotLayout *layout)
 {
-    const TinkerLegend *legend = &layout->legend;
-    const double *ground = layout->theme->background, *edge = layout->theme->grid, *box = legend->box;
-    if (legend->kind == TINKER_LEGEND_NONE) return;
+    const double *ground = layout->theme->background, *edge = layout->theme->grid, *box = layout->legend.box;
     cairo_rectangle(cairo, floor(box[0]) + 0.5, floor(box[1]) + 0.5, round(box[2] - box[0]), round(box[3] - box[1]));
     cairo_set_source_rgba(cairo, ground[0], ground[1], ground[2], layout->plot->compact ? 0.7 : 0.85);
     cairo_fill_preserve(cairo);
@@ -222,18 +262,24 @@ void tinker_plot_draw_legend(cairo_t *cairo, const TinkerPlotLayout *layout)
     cairo_set_line_width(cairo, 1);
     if (!layout->plot->compact) cairo_stroke(cairo);
     cairo_new_path(cairo);
+}
 
-    double x = box[0] + INNER, y = box[1] + INNER - 1.5 + layout->sizes->legend_row / 2;
+void tinker_plot_draw_legend(cairo_t *cairo, const TinkerPlotLayout *layout)
+{
+    const TinkerLegend *legend = &layout->legend;
+    double x, y;
+    if (legend->kind == TINKER_LEGEND_NONE) return;
+    if (legend->kind != TINKER_LEGEND_ABOVE) draw_ground(cairo, layout);
     int shown = 0;
     for (int i = 0; i < layout->plot->curve_count && shown < legend->entries; i++) {
         if (!label_of(layout, i)) continue;
+        place_of(layout, shown++, &x, &y);
         draw_entry(cairo, layout, i, x, y);
         draw_label(cairo, layout, label_of(layout, i), x, y);
-        y += layout->sizes->legend_row;
-        shown++;
     }
     int left_out = count_entries(layout) - shown;
     if (left_out == 0) return;
     g_autofree char *more = g_strdup_printf("+ %d", left_out);
+    place_of(layout, shown, &x, &y);
     draw_label(cairo, layout, more, x, y);
 }

@@ -66,11 +66,13 @@ static inline double tinker_axis_value(const TinkerAxis *axis, double place)
 gboolean tinker_plot_can_index(const TinkerCurve *curve, gboolean x_logarithmic, gboolean y_logarithmic);
 
 /* Where the legend stands. */
-typedef enum { TINKER_LEGEND_NONE, TINKER_LEGEND_INSIDE, TINKER_LEGEND_OUTSIDE } TinkerLegendKind;
+typedef enum { TINKER_LEGEND_NONE, TINKER_LEGEND_INSIDE, TINKER_LEGEND_OUTSIDE, TINKER_LEGEND_ABOVE } TinkerLegendKind;
 typedef struct {
     TinkerLegendKind kind;
     double box[4];
     int entries;         /* that are shown; more are counted in a last line */
+    int columns;         /* that they stand in, row by row, */
+    double column_width; /* each so wide */
     double limit;        /* width of a label, */
     gboolean keeps_ends; /* of which a longer one keeps its end: beginnings alone would not tell them apart */
 } TinkerLegend;
@@ -120,7 +122,7 @@ void tinker_plot_draw_marker(cairo_t *cairo, const TinkerCurve *curve, double x,
 gboolean tinker_plot_has_markers(const TinkerCurve *curve);
 gboolean tinker_plot_has_line(const TinkerCurve *curve);
 
-/* Finds a place for the legend; OUTSIDE where the rectangle of the curves must give way for it. */
+/* Finds a place for the legend; OUTSIDE and ABOVE where the rectangle of the curves must give way for it. */
 void tinker_plot_place_legend(TinkerPlotLayout *layout);
 void tinker_plot_draw_legend(cairo_t *cairo, const TinkerPlotLayout *layout);
 
