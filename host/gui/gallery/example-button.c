@@ -31,3 +31,14 @@ GtkWidget *tinker_example_button_new(const TinkerExample *example, TinkerExample
     tinker_example_pictures_add(pictures, picture, example->path);
     return button;
 }
+
+void tinker_example_button_set_small(GtkWidget *button, gboolean small)
+{
+    const int share = small ? 2 : 1;
+    GtkWidget *picture = gtk_widget_get_first_child(gtk_button_get_child(GTK_BUTTON(button)));
+    gtk_widget_set_size_request(picture, TINKER_EXAMPLE_WIDTH / share, TINKER_EXAMPLE_HEIGHT / share);
+    if (small)
+        gtk_widget_add_css_class(button, "small");
+    else
+        gtk_widget_remove_css_class(button, "small");
+}

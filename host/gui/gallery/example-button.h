@@ -7,5 +7,7 @@
 
 /* (transfer floating) */
 GtkWidget *tinker_example_button_new(const TinkerExample *example, TinkerExamplePictures *pictures);
+/* With its picture half as large, where there is little room; or as large as it is at first. */
+void tinker_example_button_set_small(GtkWidget *button, gboolean small);
 
 #endif

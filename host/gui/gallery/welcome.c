@@ -9,6 +9,7 @@
 
 #define SHOWN_EXAMPLES 4
 #define CARD_WIDTH     660
+#define ROOMY_HEIGHT   460 /* widget units, of the canvas: with less its pictures are smaller */
 
 struct _TinkerWelcome {
     GtkWidget parent_instance;
@@ -17,12 +18,21 @@ struct _TinkerWelcome {
     GtkWidget *examples;
     TinkerExamplePictures *pictures; /* NULL until it is shown */
     guint preparation;               /* id of the idle source, or 0 */
+    gboolean is_small;               /* the canvas, as it was when it had its size last */
+    guint fitting;                   /* id of the idle source, or 0 */
 };
 
 G_DEFINE_FINAL_TYPE(TinkerWelcome, tinker_welcome, GTK_TYPE_WIDGET)
 
 /* The card ------------------------------------------------------------------------------------------------------------
  */
+
+static void fit_pictures(TinkerWelcome *welcome)
+{
+    for (GtkWidget *child = gtk_widget_get_first_child(welcome->examples); child != NULL;
+         child = gtk_widget_get_next_sibling(child))
+        tinker_example_button_set_small(gtk_flow_box_child_get_child(GTK_FLOW_BOX_CHILD(child)), welcome->is_small);
+}
 
 /* The first of each topic, for they are unlike one another. Not before the card is shown: the files of all examples are
  * read for it. */
@@ -40,6 +50,7 @@ static void add_examples(TinkerWelcome *welcome)
         gtk_flow_box_append(GTK_FLOW_BOX(welcome->examples), button);
         gtk_widget_set_focusable(gtk_widget_get_parent(button), FALSE); /* the button itself has the focus */
     }
+    fit_pictures(welcome);
 }
 
 static GtkWidget *label_new(const char *text, const char *css_class)
@@ -96,6 +107,7 @@ static GtkWidget *card_new(TinkerWelcome *welcome)
     gtk_flow_box_set_selection_mode(GTK_FLOW_BOX(welcome->examples), GTK_SELECTION_NONE);
     gtk_flow_box_set_homogeneous(GTK_FLOW_BOX(welcome->examples), TRUE);
     gtk_flow_box_set_column_spacing(GTK_FLOW_BOX(welcome->examples), 6);
+    gtk_flow_box_set_min_children_per_line(GTK_FLOW_BOX(welcome->examples), SHOWN_EXAMPLES);
     gtk_flow_box_set_max_children_per_line(GTK_FLOW_BOX(welcome->examples), SHOWN_EXAMPLES);
     gtk_box_append(GTK_BOX(card), welcome->examples);
     return card;
@@ -118,6 +130,24 @@ static gboolean prepare(gpointer data)
     return G_SOURCE_REMOVE;
 }
 
+static gboolean on_fit(gpointer data)
+{
+    TinkerWelcome *welcome = data;
+    welcome->fitting = 0;
+    fit_pictures(welcome);
+    return G_SOURCE_REMOVE;
+}
+
+/* Called whenever it gets its place, before it has it. What is larger or smaller then is asked for afterwards. */
+static gboolean on_placed(GtkOverlay *overlay, GtkWidget *child, GdkRectangle *place, TinkerWelcome *welcome)
+{
+    const int width = gtk_widget_get_width(GTK_WIDGET(overlay)), height = gtk_widget_get_height(GTK_WIDGET(overlay));
+    const gboolean is_small = width < CARD_WIDTH || height < ROOMY_HEIGHT;
+    if (is_small != welcome->is_small && welcome->fitting == 0) welcome->fitting = g_idle_add(on_fit, welcome);
+    welcome->is_small = is_small;
+    return FALSE; /* where it is anyway */
+}
+
 static void tinker_welcome_map(GtkWidget *widget)
 {
     TinkerWelcome *welcome = TINKER_WELCOME(widget);
@@ -130,6 +160,7 @@ static void tinker_welcome_dispose(GObject *object)
 {
     TinkerWelcome *welcome = TINKER_WELCOME(object);
     g_clear_handle_id(&welcome->preparation, g_source_remove);
+    g_clear_handle_id(&welcome->fitting, g_source_remove);
     g_clear_pointer(&welcome->pictures, tinker_example_pictures_free);
     tinker_unparent_children(GTK_WIDGET(object));
     g_clear_object(&welcome->player);
@@ -158,17 +189,17 @@ static void tinker_welcome_init(TinkerWelcome *welcome)
     gtk_widget_set_parent(scrolled, GTK_WIDGET(welcome));
     gtk_widget_set_halign(GTK_WIDGET(welcome), GTK_ALIGN_CENTER);
     gtk_widget_set_valign(GTK_WIDGET(welcome), GTK_ALIGN_CENTER);
-    gtk_widget_set_margin_bottom(GTK_WIDGET(welcome), 48); /* the play bar's */
     gtk_accessible_update_property(GTK_ACCESSIBLE(welcome), GTK_ACCESSIBLE_PROPERTY_LABEL, _("First Steps"), -1);
 }
 
-GtkWidget *tinker_welcome_new(TinkerDocument *document, TinkerPlayer *player)
+void tinker_welcome_add(GtkOverlay *overlay, TinkerDocument *document, TinkerPlayer *player)
 {
     TinkerWelcome *welcome = g_object_new(TINKER_TYPE_WELCOME, NULL);
     welcome->document = g_object_ref(document);
     welcome->player = g_object_ref(player);
     g_signal_connect_object(document, "changed", G_CALLBACK(update), welcome, G_CONNECT_SWAPPED);
     g_signal_connect_object(player, "state-changed", G_CALLBACK(update), welcome, G_CONNECT_SWAPPED);
+    g_signal_connect_object(overlay, "get-child-position", G_CALLBACK(on_placed), welcome, 0);
+    gtk_overlay_add_overlay(overlay, GTK_WIDGET(welcome));
     update(welcome);
-    return GTK_WIDGET(welcome);
 }

@@ -10,7 +10,7 @@
 #define TINKER_TYPE_WELCOME (tinker_welcome_get_type())
 G_DECLARE_FINAL_TYPE(TinkerWelcome, tinker_welcome, TINKER, WELCOME, GtkWidget)
 
-/* (transfer floating) */
-GtkWidget *tinker_welcome_new(TinkerDocument *document, TinkerPlayer *player);
+/* Adds it to what lies over the canvas. */
+void tinker_welcome_add(GtkOverlay *overlay, TinkerDocument *document, TinkerPlayer *player);
 
 #endif

@@ -181,7 +181,7 @@ static void connect_parts(TinkerWindow *window)
     g_signal_connect_object(window->document, "file-changed", G_CALLBACK(on_file_changed), window, G_CONNECT_SWAPPED);
     g_signal_connect_object(window->document, "selection-changed", G_CALLBACK(window_update_actions), window,
                             G_CONNECT_SWAPPED);
-    gtk_overlay_add_overlay(window->canvas_overlay, tinker_welcome_new(window->document, window->player));
+    tinker_welcome_add(window->canvas_overlay, window->document, window->player);
     g_signal_connect_object(window->canvas, "menu", G_CALLBACK(on_menu), window, 0);
     g_signal_connect_object(tinker_side_panel_outline(window->side_panel), "menu", G_CALLBACK(on_menu), window, 0);
     g_signal_connect_object(window->canvas, "faults", G_CALLBACK(on_canvas_faults), window, 0);

@@ -130,10 +130,13 @@ def test_first_steps_can_be_read_in_a_small_window(display):
     with App(display) as app:
         app.find(None, "First Steps")
         make_small(app)
-        left, _, width, _ = app.canvas_box()
+        left, top, width, height = app.canvas_box()
         for text in ("Build Something That Moves", "Drag the ends of springs, dampers and the like onto blocks to connect them."):
             x, _, across, _ = app.settled(app.find("label", text))
             check(left <= x and x + across <= left + width, f"“{text}” is whole on the canvas")
+        example = app.find("button", "Double pendulum")
+        wait(lambda: app.settled(example)[1] + example.box()[3] <= top + height, "the last example to be whole on the canvas")
+        check(app.settled(app.find("label", "Build Something That Moves"))[1] >= top, "and the title as well")
         app.click("All Examples…")
         app.find(None, "Examples")
 
