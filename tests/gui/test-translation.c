@@ -35,6 +35,8 @@ static void test_descriptor_texts(void)
     g_assert_cmpstr(tinker_translate("Undeformed Length"), ==, "Ungedehnte Länge");
     g_assert_cmpstr(tinker_translate_title("Spring-mass system", BUNDLED), ==, "Feder-Masse-System");
     g_assert_cmpstr(tinker_translate_title("Mass", BUNDLED), ==, "Mass"); /* the user's */
+    /* of an example whose description was changed: it is the user's now, and shown as it is stored */
+    g_assert_cmpstr(tinker_translate_title("Spring-mass system", "What I found"), ==, "Spring-mass system");
     g_assert_null(tinker_translate_title(NULL, BUNDLED));
     g_assert_cmpstr(tinker_translate("Flux Capacitor"), ==, "Flux Capacitor");
     g_assert_cmpstr(tinker_translate("Distance to Mass"), ==, "Abstand zu Mass"); /* the user's name stays */

@@ -4,6 +4,7 @@
 #include <adwaita.h>
 #include <glib/gi18n.h>
 
+#include "gui/canvas/canvas.h"
 #include "gui/gallery/example-button.h"
 #include "gui/widget/unparent.h"
 
@@ -134,6 +135,7 @@ static gboolean on_fit(gpointer data)
 {
     TinkerWelcome *welcome = data;
     welcome->fitting = 0;
+    gtk_widget_set_valign(GTK_WIDGET(welcome), welcome->is_small ? GTK_ALIGN_START : GTK_ALIGN_CENTER);
     fit_pictures(welcome);
     return G_SOURCE_REMOVE;
 }
@@ -141,11 +143,24 @@ static gboolean on_fit(gpointer data)
 /* Called whenever it gets its place, before it has it. What is larger or smaller then is asked for afterwards. */
 static gboolean on_placed(GtkOverlay *overlay, GtkWidget *child, GdkRectangle *place, TinkerWelcome *welcome)
 {
+    if (child != GTK_WIDGET(welcome)) return FALSE;
     const int width = gtk_widget_get_width(GTK_WIDGET(overlay)), height = gtk_widget_get_height(GTK_WIDGET(overlay));
     const gboolean is_small = width < CARD_WIDTH || height < ROOMY_HEIGHT;
     if (is_small != welcome->is_small && welcome->fitting == 0) welcome->fitting = g_idle_add(on_fit, welcome);
     welcome->is_small = is_small;
+    gtk_widget_queue_draw(gtk_overlay_get_child(overlay));
     return FALSE; /* where it is anyway */
+}
+
+/* Names and labels make way for it. */
+static void add_panel(TinkerWelcome *welcome, GArray *boxes, GtkWidget *canvas)
+{
+    graphene_rect_t place;
+    if (!gtk_widget_get_mapped(GTK_WIDGET(welcome)) || !gtk_widget_compute_bounds(GTK_WIDGET(welcome), canvas, &place))
+        return;
+    const double box[4] = {place.origin.x, place.origin.y, place.origin.x + place.size.width,
+                           place.origin.y + place.size.height};
+    g_array_append_vals(boxes, box, 1);
 }
 
 static void tinker_welcome_map(GtkWidget *widget)
@@ -201,5 +216,7 @@ void tinker_welcome_add(GtkOverlay *overlay, TinkerDocument *document, TinkerPla
     g_signal_connect_object(player, "state-changed", G_CALLBACK(update), welcome, G_CONNECT_SWAPPED);
     g_signal_connect_object(overlay, "get-child-position", G_CALLBACK(on_placed), welcome, 0);
     gtk_overlay_add_overlay(overlay, GTK_WIDGET(welcome));
+    g_signal_connect_object(gtk_overlay_get_child(overlay), "panels", G_CALLBACK(add_panel), welcome,
+                            G_CONNECT_SWAPPED);
     update(welcome);
 }

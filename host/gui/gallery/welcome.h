@@ -10,7 +10,7 @@
 #define TINKER_TYPE_WELCOME (tinker_welcome_get_type())
 G_DECLARE_FINAL_TYPE(TinkerWelcome, tinker_welcome, TINKER, WELCOME, GtkWidget)
 
-/* Adds it to what lies over the canvas. */
+/* Adds it to what lies over the canvas, the child of `overlay`. */
 void tinker_welcome_add(GtkOverlay *overlay, TinkerDocument *document, TinkerPlayer *player);
 
 #endif
