@@ -19,7 +19,8 @@
 #define EDGE         4.0
 #define ROOMY_WIDTH  560.0 /* widget units of a canvas on which they have their full size, */
 #define ROOMY_HEIGHT 320.0
-#define LEAST_SIZE   0.7 /* and how small they may become: readable */
+#define LEAST_SIZE   0.7                   /* and how small they may become: readable */
+#define PLACED_BLIND "tinker-placed-blind" /* of a view: its place was chosen for it before any run */
 
 struct _TinkerInstrumentLayer {
     GtkWidget parent_instance;
@@ -34,6 +35,7 @@ struct _TinkerInstrumentLayer {
     gboolean has_looked;     /* that is up to date */
     TinkerPlayerState state; /* of the player when it was heard of last */
     gboolean awaits_run;     /* which began since, and whose way is not known yet */
+    gboolean placed_blind;   /* the next new one has got its place while no way was known */
 
     TinkerInstrumentView *dragged; /* borrowed; NULL: none */
     double press[2], from[2], way[2];
@@ -94,15 +96,24 @@ static void look_again(TinkerInstrumentLayer *layer)
     gtk_widget_queue_allocate(GTK_WIDGET(layer));
 }
 
+/* Whether one keeps clear of blocks and their ways. */
+static gboolean keeps_clear(TinkerInstrumentLayer *layer, TinkerInstrumentView *view)
+{
+    return shrinkage(layer) < 1 || g_object_get_data(G_OBJECT(view), PLACED_BLIND) != NULL;
+}
+
 static void look_for_blocks(TinkerInstrumentLayer *layer)
 {
-    instrument_room_look_for_blocks(&layer->room, layer->graphs, tinker_player_frame(layer->player),
-                                    shrinkage(layer) < 1);
+    gboolean any = FALSE;
+    for (guint i = 0; i < layer->views->len; i++)
+        any |= keeps_clear(layer, g_ptr_array_index(layer->views, i));
+    instrument_room_look_for_blocks(&layer->room, layer->graphs, tinker_player_frame(layer->player), any);
 }
 
 /* Graphs stand in the way. Where instruments are smaller than they were put there, since the canvas is small, blocks do
- * as well: where they are when one begins to look, and where they come in the run, as soon as that is known.
- * Instruments do not run away from what moves. */
+ * as well: where they are when one begins to look, and where they come in the run, as soon as that is known. So they do
+ * for one whose place was chosen before a run: nobody wanted it in the way. Instruments do not run away from what
+ * moves. */
 static void look_about(TinkerInstrumentLayer *layer)
 {
     if (layer->has_looked || layer->views->len == 0) return;
@@ -132,7 +143,7 @@ static void on_state_changed(TinkerInstrumentLayer *layer)
 
 /* Out of the way of those before it, but for one that is dragged, of notices and of what is about; and no lower than
  * where a bar may float, unless it was put there. */
-static void make_way(TinkerInstrumentLayer *layer, TinkerGraphBox *box)
+static void make_way(TinkerInstrumentLayer *layer, TinkerInstrumentView *view, TinkerGraphBox *box)
 {
     const double width = gtk_widget_get_width(GTK_WIDGET(layer)), height = gtk_widget_get_height(GTK_WIDGET(layer));
     const double bottom = box->y + box->height <= height - BAR_HEIGHT ? height - BAR_HEIGHT : height;
@@ -140,7 +151,8 @@ static void make_way(TinkerInstrumentLayer *layer, TinkerGraphBox *box)
     for (guint i = 0; i < layer->boxes->len; i++)
         if (g_ptr_array_index(layer->views, i) != layer->dragged)
             g_array_append_val(others, g_array_index(layer->boxes, TinkerGraphBox, i));
-    instrument_room_make_way(&layer->room, others, width, bottom, tinker_canvas_covered(layer->canvas), box);
+    instrument_room_make_way(&layer->room, keeps_clear(layer, view), others, width, bottom,
+                             tinker_canvas_covered(layer->canvas), box);
 }
 
 /* The boxes of all, in order. One that is dragged goes where the pointer takes it, and the others stay until it is
@@ -152,7 +164,7 @@ static void arrange(TinkerInstrumentLayer *layer)
     for (guint i = 0; i < layer->views->len; i++) {
         TinkerInstrumentView *view = g_ptr_array_index(layer->views, i);
         TinkerGraphBox box = wanted_box(layer, view);
-        if (view != layer->dragged) make_way(layer, &box);
+        if (view != layer->dragged) make_way(layer, view, &box);
         g_array_append_val(layer->boxes, box);
     }
 }
@@ -189,6 +201,7 @@ void tinker_instrument_layer_find_room(TinkerInstrumentLayer *layer, double plac
     TinkerGraphBox box = {.width = shrinkage(layer) * USUAL_WIDTH, .height = full};
     g_autoptr(GArray) taken = tinker_graph_layer_taken(layer->graphs, tinker_player_frame(layer->player));
     tinker_graph_layer_add_swept(layer->graphs, taken);
+    layer->placed_blind = !(tinker_player_reached(layer->player) > 0);
     arrange(layer);
     for (guint i = 0; i < layer->boxes->len; i++) {
         TinkerGraphBox other = g_array_index(layer->boxes, TinkerGraphBox, i);
@@ -280,7 +293,10 @@ static void on_drag_end(GtkGestureDrag *gesture, double dx, double dy, TinkerIns
     if (layer->dragged != view) return;
     const TinkerGraphBox box = wanted_box(layer, view);
     layer->dragged = NULL;
-    if (layer->way[0] != 0 || layer->way[1] != 0) commit(layer, view, box.x, box.y, NULL);
+    if (layer->way[0] != 0 || layer->way[1] != 0) {
+        g_object_set_data(G_OBJECT(view), PLACED_BLIND, NULL);
+        commit(layer, view, box.x, box.y, NULL);
+    }
 }
 
 static gboolean on_key(GtkEventControllerKey *controller, guint key, guint code, GdkModifierType modifiers,
@@ -290,6 +306,7 @@ static gboolean on_key(GtkEventControllerKey *controller, guint key, guint code,
               down = (key == GDK_KEY_Down) - (key == GDK_KEY_Up);
     if ((right == 0 && down == 0) || !(modifiers & GDK_SHIFT_MASK)) return GDK_EVENT_PROPAGATE;
     if (GTK_IS_TEXT(gtk_root_get_focus(gtk_widget_get_root(GTK_WIDGET(layer))))) return GDK_EVENT_PROPAGATE;
+    g_object_set_data(G_OBJECT(view_of(controller)), PLACED_BLIND, NULL);
     const TinkerGraphBox box = wanted_box(layer, view_of(controller)); /* also where it is not, to pass others */
     commit(layer, view_of(controller), box.x + NUDGE * right, box.y + NUDGE * down, "nudge instrument");
     return GDK_EVENT_STOP;
@@ -302,6 +319,8 @@ static TinkerInstrumentView *view_new(TinkerInstrumentLayer *layer, int number)
 {
     TinkerInstrumentView *view = tinker_instrument_view_new(layer->document, layer->player, layer->hand, number);
     gtk_widget_set_parent(GTK_WIDGET(view), GTK_WIDGET(layer));
+    g_object_set_data(G_OBJECT(view), PLACED_BLIND, GINT_TO_POINTER(layer->placed_blind));
+    layer->placed_blind = FALSE;
     GtkGesture *drag = gtk_gesture_drag_new();
     g_signal_connect(drag, "drag-begin", G_CALLBACK(on_drag_begin), layer);
     g_signal_connect(drag, "drag-update", G_CALLBACK(on_drag_update), layer);

@@ -37,8 +37,8 @@ void instrument_room_look_for_blocks(InstrumentRoom *room, TinkerGraphLayer *gra
     tinker_graph_layer_add_swept(graphs, room->swept);
 }
 
-void instrument_room_make_way(const InstrumentRoom *room, const GArray *others, double width, double height,
-                              double covered, TinkerGraphBox *box)
+void instrument_room_make_way(const InstrumentRoom *room, gboolean blocks_count, const GArray *others, double width,
+                              double height, double covered, TinkerGraphBox *box)
 {
     const TinkerGraphBox notices = {.width = width, .height = covered};
     g_autoptr(GArray) taken = g_array_copy(room->graphs);
@@ -46,9 +46,9 @@ void instrument_room_make_way(const InstrumentRoom *room, const GArray *others, 
     guint counts[4] = {[3] = taken->len};
     if (covered > 0) g_array_append_val(taken, notices);
     counts[2] = taken->len;
-    g_array_append_vals(taken, room->blocks->data, room->blocks->len);
+    if (blocks_count) g_array_append_vals(taken, room->blocks->data, room->blocks->len);
     counts[1] = taken->len;
-    g_array_append_vals(taken, room->swept->data, room->swept->len);
+    if (blocks_count) g_array_append_vals(taken, room->swept->data, room->swept->len);
     counts[0] = taken->len;
     const TinkerGraphBox *all = (const TinkerGraphBox *)(gpointer)taken->data;
     for (gsize i = 0; i < G_N_ELEMENTS(counts); i++)

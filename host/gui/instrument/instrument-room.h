@@ -23,7 +23,7 @@ void instrument_room_look_for_blocks(InstrumentRoom *room, TinkerGraphLayer *gra
 /* Moves a box to the nearest place in an area of this size that is clear of graphs, of `others` (TinkerGraphBox), of
  * notices, which cover so much of the top, of blocks and their ways: of as many of these, in this order, as there is
  * room for. */
-void instrument_room_make_way(const InstrumentRoom *room, const GArray *others, double width, double height,
-                              double covered, TinkerGraphBox *box);
+void instrument_room_make_way(const InstrumentRoom *room, gboolean blocks_count, const GArray *others, double width,
+                              double height, double covered, TinkerGraphBox *box);
 
 #endif

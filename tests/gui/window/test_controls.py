@@ -108,6 +108,29 @@ def test_meter_makes_way_for_a_swing_in_a_small_window(display):
         check_equal(app.settled(node), place, "where it has gone to")
 
 
+def test_meter_that_was_placed_before_any_run_makes_way(display):
+    """In a large window as well: where there was room for it a body comes that is thrown up. Where a hand has put it, it stays."""
+    with App(display, scene(mass("Bob", 3.9, -3, velocity=[0, 1.7]), duration=4, canvas={"width": 10})) as app:
+        app.show_width()
+        app.click_world(4.03, -2.87, button=3)
+        app.choose("Add Meter", "Speed")
+        node = app.find(None, re.compile("^Meter of "))
+
+        def meets_the_way():
+            x, y, width, height = app.settled(node)
+            left, top, right, bottom = app.area(3.5, -3.4, 4.3, 4.2)  # what the body sweeps: -3 m to 3.8 m, and its size
+            return x < right and x + width > left and y < bottom and y + height > top
+
+        check(meets_the_way(), "before the run its place is in the way")
+        app.press("space")
+        wait(lambda: not meets_the_way(), "it to make way")
+        wait(lambda: not app.is_playing(), "the end")
+        check(not meets_the_way(), "it is out of the way at the end")
+        x, y, width, _ = app.settled(node)
+        app.drag_pixels((x + width / 2, y + 8), app.at(3.9, 1))
+        wait(meets_the_way, "it to stay where it was put")
+
+
 def test_meter_makes_way_for_a_notice(display):
     """And goes back to its place when that is gone."""
     meter = {"block": "A", "quantity": "x", "place": [-1, 99]}  # beyond the top: shown at it
