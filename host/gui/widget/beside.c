@@ -3,12 +3,13 @@
 
 #include "gui/widget/unparent.h"
 
-#define LEAST 380 /* px: for the first, unless it wants less */
+#define LEAST 380 /* px: for the first at first, unless it wants less */
 #define GAP   6   /* px */
 
 struct _TinkerBeside {
     GtkWidget parent_instance;
     GtkWidget *first, *second;
+    int least; /* px */
 };
 
 G_DEFINE_FINAL_TYPE(TinkerBeside, tinker_beside, GTK_TYPE_WIDGET)
@@ -25,7 +26,7 @@ static int width_beside(const TinkerBeside *beside, int width)
 {
     const int second = natural(beside->second, GTK_ORIENTATION_HORIZONTAL, -1);
     const int left = second > 0 ? width - second - GAP : width;
-    return left >= MIN(LEAST, natural(beside->first, GTK_ORIENTATION_HORIZONTAL, -1)) ? left : 0;
+    return left >= MIN(beside->least, natural(beside->first, GTK_ORIENTATION_HORIZONTAL, -1)) ? left : 0;
 }
 
 static void measure_width(const TinkerBeside *beside, int *minimum, int *wanted)
@@ -88,7 +89,10 @@ static void tinker_beside_class_init(TinkerBesideClass *class)
     GTK_WIDGET_CLASS(class)->get_request_mode = request_mode;
 }
 
-static void tinker_beside_init(TinkerBeside *beside) {}
+static void tinker_beside_init(TinkerBeside *beside)
+{
+    beside->least = LEAST;
+}
 
 GtkWidget *tinker_beside_new(GtkWidget *first, GtkWidget *second)
 {
@@ -98,6 +102,12 @@ GtkWidget *tinker_beside_new(GtkWidget *first, GtkWidget *second)
     gtk_widget_set_parent(first, GTK_WIDGET(beside));
     gtk_widget_set_parent(second, GTK_WIDGET(beside));
     return GTK_WIDGET(beside);
+}
+
+void tinker_beside_set_least(TinkerBeside *beside, int least)
+{
+    beside->least = least;
+    gtk_widget_queue_resize(GTK_WIDGET(beside));
 }
 
 void tinker_beside_wrap(GtkWidget *button)

@@ -8,9 +8,16 @@
 #include "gui/widget/beside.h"
 #include "gui/widget/unparent.h"
 
+#define LOW       300 /* px: of a picture, of which a notice hides too much if it is not cut */
+#define LOW_LINES 3
+#define LOW_LEAST 140 /* px: for its text beside its buttons */
+#define LEAST     380 /* px: else */
+
 struct _TinkerNoticeBar {
     GtkWidget parent_instance;
-    GtkWidget *bar, *text, *label, *count, *next, *cure;
+    GtkWidget *bar, *line, *text, *label, *count, *next, *cure;
+    gboolean is_low;     /* what it lies over */
+    guint fitting;       /* id of the idle source, or 0 */
     GHashTable *sources; /* of GPtrArray of TinkerNotice *, by name */
     GHashTable *closed;  /* of texts */
     GPtrArray *listed;   /* of TinkerNotice *, borrowed from the sources */
@@ -91,16 +98,28 @@ static void list_all(TinkerNoticeBar *bar)
 /* Showing -------------------------------------------------------------------------------------------------------------
  */
 
+/* The text, as much of it as there is room for, and its tip. */
+static void fill_text(TinkerNoticeBar *bar, const TinkerNotice *notice)
+{
+    const char *select = notice->locate != NULL ? _("Select what this is about") : "";
+    g_autofree char *tip = bar->is_low ? g_strconcat(notice->text, *select != '\0' ? "\n" : "", select, NULL) : NULL;
+    gtk_label_set_text(GTK_LABEL(bar->label), notice->text);
+    gtk_label_set_lines(GTK_LABEL(bar->label), bar->is_low ? LOW_LINES : -1);
+    gtk_label_set_ellipsize(GTK_LABEL(bar->label), bar->is_low ? PANGO_ELLIPSIZE_END : PANGO_ELLIPSIZE_NONE);
+    gtk_widget_set_tooltip_text(bar->text, bar->is_low ? tip : select);
+    gtk_accessible_update_property(GTK_ACCESSIBLE(bar->text), GTK_ACCESSIBLE_PROPERTY_LABEL, notice->text, -1);
+    gtk_widget_set_can_target(bar->text, bar->is_low || notice->locate != NULL);
+    gtk_widget_set_focusable(bar->text, notice->locate != NULL);
+    tinker_beside_set_least(TINKER_BESIDE(bar->line), bar->is_low ? LOW_LEAST : LEAST);
+}
+
 static void fill(TinkerNoticeBar *bar)
 {
     static const GtkMessageType types[] = {GTK_MESSAGE_INFO, GTK_MESSAGE_WARNING, GTK_MESSAGE_ERROR};
     const TinkerNotice *notice = g_ptr_array_index(bar->listed, bar->place);
     g_autofree char *count = g_strdup_printf(_("%u of %u"), bar->place + 1, bar->listed->len);
     gtk_info_bar_set_message_type(GTK_INFO_BAR(bar->bar), types[notice->severity]);
-    gtk_label_set_text(GTK_LABEL(bar->label), notice->text);
-    gtk_accessible_update_property(GTK_ACCESSIBLE(bar->text), GTK_ACCESSIBLE_PROPERTY_LABEL, notice->text, -1);
-    gtk_widget_set_can_target(bar->text, notice->locate != NULL);
-    gtk_widget_set_focusable(bar->text, notice->locate != NULL);
+    fill_text(bar, notice);
     gtk_label_set_text(GTK_LABEL(bar->count), count);
     gtk_widget_set_visible(bar->count, bar->listed->len > 1);
     gtk_widget_set_visible(bar->next, bar->listed->len > 1);
@@ -128,6 +147,21 @@ void tinker_notice_bar_set(TinkerNoticeBar *bar, const char *source, GPtrArray *
     for (guint i = 0; text != NULL && i < bar->listed->len; i++)
         if (strcmp(((TinkerNotice *)g_ptr_array_index(bar->listed, i))->text, text) == 0) bar->place = i;
     show(bar);
+}
+
+static gboolean on_fit(gpointer data)
+{
+    TinkerNoticeBar *bar = data;
+    bar->fitting = 0;
+    show(bar);
+    return G_SOURCE_REMOVE;
+}
+
+void tinker_notice_bar_set_room(TinkerNoticeBar *bar, int height)
+{
+    const gboolean is_low = height < LOW;
+    if (is_low != bar->is_low && bar->fitting == 0) bar->fitting = g_idle_add(on_fit, bar);
+    bar->is_low = is_low;
 }
 
 /* Buttons -------------------------------------------------------------------------------------------------------------
@@ -171,6 +205,7 @@ static void on_response(TinkerNoticeBar *bar, int response)
 
 static void tinker_notice_bar_dispose(GObject *object)
 {
+    g_clear_handle_id(&TINKER_NOTICE_BAR(object)->fitting, g_source_remove);
     tinker_unparent_children(GTK_WIDGET(object));
     G_OBJECT_CLASS(tinker_notice_bar_parent_class)->dispose(object);
 }
@@ -202,7 +237,6 @@ static void add_parts(TinkerNoticeBar *bar)
     bar->text = gtk_button_new();
     gtk_button_set_child(GTK_BUTTON(bar->text), bar->label);
     gtk_widget_add_css_class(bar->text, "flat");
-    gtk_widget_set_tooltip_text(bar->text, _("Select what this is about"));
     bar->count = gtk_label_new(NULL);
     gtk_widget_add_css_class(bar->count, "numeric");
     bar->next = gtk_button_new_from_icon_name("go-next-symbolic");
@@ -216,9 +250,9 @@ static void add_parts(TinkerNoticeBar *bar)
         gtk_box_append(GTK_BOX(buttons), parts[i]);
     }
     gtk_widget_set_valign(bar->text, GTK_ALIGN_CENTER);
-    GtkWidget *line = tinker_beside_new(bar->text, buttons);
-    gtk_widget_set_hexpand(line, TRUE);
-    gtk_info_bar_add_child(GTK_INFO_BAR(bar->bar), line);
+    bar->line = tinker_beside_new(bar->text, buttons);
+    gtk_widget_set_hexpand(bar->line, TRUE);
+    gtk_info_bar_add_child(GTK_INFO_BAR(bar->bar), bar->line);
     g_signal_connect_swapped(bar->text, "clicked", G_CALLBACK(on_text), bar);
     g_signal_connect_swapped(bar->next, "clicked", G_CALLBACK(on_next), bar);
     g_signal_connect_swapped(bar->cure, "clicked", G_CALLBACK(on_cure), bar);

@@ -112,7 +112,10 @@ static void on_canvas_faults(TinkerCanvas *canvas, TinkerWindow *window)
 /* Called whenever something over the canvas gets its place. */
 static gboolean on_cover_placed(GtkOverlay *overlay, GtkWidget *child, GdkRectangle *place, TinkerWindow *window)
 {
-    if (child == GTK_WIDGET(window->banners)) tinker_canvas_cover_placed(window->canvas);
+    if (child == GTK_WIDGET(window->banners)) {
+        tinker_notice_bar_set_room(window->notices, gtk_widget_get_height(GTK_WIDGET(overlay)));
+        tinker_canvas_cover_placed(window->canvas);
+    }
     return FALSE; /* where it is anyway */
 }
 

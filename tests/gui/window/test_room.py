@@ -62,6 +62,22 @@ def test_notice_in_a_small_window(display):
             check(left <= x and x + across <= left + width and y + down <= top + height / 2, f"{name} is over the canvas")
 
 
+def test_notice_over_a_low_canvas(display):
+    """Beside a graph in the smallest window a long notice leaves most of the canvas to what moves. One ball strikes two."""
+    balls = [{"type": "disc", "name": f"Ball {i}", "radius": 0.5, "position": [x, 0], "restitution": 1, "solid": True}
+             for i, x in enumerate((-2, 0, 1))]
+    balls[0]["velocity"] = [2, 0]
+    with App(display, scene(*balls, duration=1, graphs=[{"block": "Ball 0", "quantity": "x"}])) as app:
+        make_small(app)
+        wait(lambda: app.canvas_box()[3] < 300, "a low canvas")
+        app.click("Play")
+        text = app.find("button", re.compile("one blow after the other differ"))
+        button = app.find("button", "Choose the Law of Impact")
+        top, height = app.canvas_box()[1::2]
+        for node in (text, button):
+            check(sum(app.settled(node)[1::2]) < top + height / 2, f"{node.name} leaves what is below it to the canvas")
+
+
 def make_small(app):
     """800 by 500 pixels, the least there may be."""
     widest = max(app.windows(), key=lambda window: window[1][2])  # others are tips
