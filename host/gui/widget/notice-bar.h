@@ -38,8 +38,8 @@ TinkerNoticeBar *tinker_notice_bar_new(void);
  * several give is shown once. */
 void tinker_notice_bar_set(TinkerNoticeBar *bar, const char *source, GPtrArray *notices);
 
-/* Tells how high (px) the picture is that the bar lies over. On a low one, notices are no more than three lines high; the
- * whole text is their tip. May be called while widgets get their places: what changes, changes afterwards. */
+/* Tells how high (px) the picture is that the bar lies over. On a low one, notices are no more than three lines high;
+ * the whole text is their tip. May be called while widgets get their places: what changes, changes afterwards. */
 void tinker_notice_bar_set_room(TinkerNoticeBar *bar, int height);
 
 #endif
