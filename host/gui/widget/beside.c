@@ -3,8 +3,7 @@
 
 #include "gui/widget/unparent.h"
 
-#define LEAST 380 /* px: for the first at first, unless it wants less */
-#define GAP   6   /* px */
+#define GAP 6 /* px */
 
 struct _TinkerBeside {
     GtkWidget parent_instance;
@@ -91,7 +90,7 @@ static void tinker_beside_class_init(TinkerBesideClass *class)
 
 static void tinker_beside_init(TinkerBeside *beside)
 {
-    beside->least = LEAST;
+    beside->least = TINKER_BESIDE_LEAST;
 }
 
 GtkWidget *tinker_beside_new(GtkWidget *first, GtkWidget *second)

@@ -10,7 +10,9 @@ G_DECLARE_FINAL_TYPE(TinkerBeside, tinker_beside, TINKER, BESIDE, GtkWidget)
 
 GtkWidget *tinker_beside_new(GtkWidget *first, GtkWidget *second);
 
-/* How wide (px) the first one is to be beside the second at least, unless it wants less; 380 at first. */
+#define TINKER_BESIDE_LEAST 380 /* px: what it is at first */
+
+/* How wide (px) the first one is to be beside the second at least, unless it wants less. */
 void tinker_beside_set_least(TinkerBeside *beside, int least);
 
 /* Lets the text of a button wrap where all of its place is too narrow for it, and nowhere else. Once the button has its

@@ -11,7 +11,6 @@
 #define LOW       300 /* px: of a picture, of which a notice hides too much if it is not cut */
 #define LOW_LINES 3
 #define LOW_LEAST 140 /* px: for its text beside its buttons */
-#define LEAST     380 /* px: else */
 
 struct _TinkerNoticeBar {
     GtkWidget parent_instance;
@@ -101,16 +100,16 @@ static void list_all(TinkerNoticeBar *bar)
 /* The text, as much of it as there is room for, and its tip. */
 static void fill_text(TinkerNoticeBar *bar, const TinkerNotice *notice)
 {
-    const char *select = notice->locate != NULL ? _("Select what this is about") : "";
-    g_autofree char *tip = bar->is_low ? g_strconcat(notice->text, *select != '\0' ? "\n" : "", select, NULL) : NULL;
+    const char *select = notice->locate != NULL ? _("Select what this is about") : NULL;
+    g_autofree char *whole = g_strjoin("\n", notice->text, select, NULL);
     gtk_label_set_text(GTK_LABEL(bar->label), notice->text);
     gtk_label_set_lines(GTK_LABEL(bar->label), bar->is_low ? LOW_LINES : -1);
     gtk_label_set_ellipsize(GTK_LABEL(bar->label), bar->is_low ? PANGO_ELLIPSIZE_END : PANGO_ELLIPSIZE_NONE);
-    gtk_widget_set_tooltip_text(bar->text, bar->is_low ? tip : select);
+    gtk_widget_set_tooltip_text(bar->text, bar->is_low ? whole : select);
     gtk_accessible_update_property(GTK_ACCESSIBLE(bar->text), GTK_ACCESSIBLE_PROPERTY_LABEL, notice->text, -1);
     gtk_widget_set_can_target(bar->text, bar->is_low || notice->locate != NULL);
     gtk_widget_set_focusable(bar->text, notice->locate != NULL);
-    tinker_beside_set_least(TINKER_BESIDE(bar->line), bar->is_low ? LOW_LEAST : LEAST);
+    tinker_beside_set_least(TINKER_BESIDE(bar->line), bar->is_low ? LOW_LEAST : TINKER_BESIDE_LEAST);
 }
 
 static void fill(TinkerNoticeBar *bar)
