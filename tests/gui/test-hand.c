@@ -107,6 +107,25 @@ static void test_time_stays(void)
     g_assert_cmpint(fixture->rewound, ==, 0);
 }
 
+/* A scene that plays goes on playing where it was, and what it shows is a run from the start, too. */
+static void test_while_it_plays(void)
+{
+    g_autoptr(Fixture) fixture = fixture_new();
+    TinkerPlayer *player = fixture->base->player;
+    TinkerBlockId culprit;
+    g_assert_true(tinker_player_play(player, &culprit, NULL));
+    g_assert_true(tinker_player_wait(player, 4, NULL));
+    tinker_player_advance(player, 2);
+    turn(fixture, 49);
+    g_assert_true(gui_fixture_wait(is_whole, fixture));
+    g_assert_cmpint(tinker_player_state(player), ==, TINKER_PLAYER_PLAYING);
+    g_assert_cmpfloat(tinker_player_time(player), ==, 2);
+    g_assert_true(isnan(tinker_player_changed_at(player)));
+    tinker_player_advance(player, 0.5);
+    g_assert_cmpfloat(tinker_player_time(player), ==, 2.5);
+    g_assert_cmpfloat_with_epsilon(height(fixture), 2 - cos(7 * 2.5), CLOSE);
+}
+
 /* What a hand does without letting go is one step. */
 static void test_one_step(void)
 {
@@ -345,6 +364,7 @@ static void add_tests(void)
 {
     g_test_add_func("/gui/hand/from-the-start", test_from_the_start);
     g_test_add_func("/gui/hand/time-stays", test_time_stays);
+    g_test_add_func("/gui/hand/while-it-plays", test_while_it_plays);
     g_test_add_func("/gui/hand/one-step", test_one_step);
     g_test_add_func("/gui/hand/estimate-at-rest", test_estimate_at_rest);
     g_test_add_func("/gui/hand/energies-at-rest", test_energies_at_rest);

@@ -145,12 +145,10 @@ void player_on_changed(TinkerPlayer *player)
     gboolean under_way = player->time > 0;
     player_renew_frame(player);
     const gboolean playing = player->state == TINKER_PLAYER_PLAYING && isnan(player->step_to);
-    const gboolean on_the_way = difference == TINKER_DIFFERENCE_TUNABLE && playing;
     /* of a run that has come to its end nothing is left that could go on with the change */
     const gboolean ended = difference == TINKER_DIFFERENCE_TUNABLE && under_way && !playing &&
                            player->time >= tinker_player_duration(player);
-    const gboolean tries =
-        player->trial && !on_the_way && (player->ran == NULL || difference != TINKER_DIFFERENCE_DRAWING);
+    const gboolean tries = player->trial && (player->ran == NULL || difference != TINKER_DIFFERENCE_DRAWING);
     if (ended && !tries && tinker_player_run_anew(player)) return;
     if (tries && record_anew(player)) {
         player_moved(player);

@@ -68,7 +68,7 @@ void tinker_player_reset(TinkerPlayer *player);
 void tinker_player_rewind(TinkerPlayer *player);
 
 /* Between these two, an edit that changes the motion is of a hand that tries: the run is made anew from the start and
- * the time stays, also where nothing had been run; what may change on the way does so while it plays. */
+ * the time stays, also where nothing had been run; a scene that plays goes on from that time. */
 void tinker_player_begin_trial(TinkerPlayer *player);
 void tinker_player_end_trial(TinkerPlayer *player);
 /* Where the last run went without an estimate of its error, as those of a trial do: makes it once more with one, which
