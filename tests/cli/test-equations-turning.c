@@ -78,7 +78,7 @@ static void test_torque(CliFixture *fixture, gconstpointer data)
     cJSON_Delete(root);
 }
 
-/* The compound pendulum of a textbook, (m a^2 + I) theta'' + m g a sin theta = 0, with a = -ax: the pin is behind the
+/* The compound pendulum of a textbook, (m a^2 + I) theta'' + m g a sin theta = 0, with a = -a_x: the pin is behind the
  * centre. A rod that hangs on its other end makes it a double pendulum, in two angles. */
 static void test_angles(CliFixture *fixture, gconstpointer data)
 {
@@ -129,9 +129,9 @@ static void test_double_pendulums(CliFixture *fixture, gconstpointer data)
         "(m₁ a₁² + m₂ l₁² + I₁) θ̈₁ + m₂ l₁ a₂ cos(θ₁ − θ₂) θ̈₂ + m₂ l₁ a₂ sin(θ₁ − θ₂) θ̇₂² + (m₁ a₁ + m₂ l₁) g sin(θ₁) "
         "= 0\n",
         " m₂ l₁ a₂ cos(θ₁ − θ₂) θ̈₁ − m₂ l₁ a₂ sin(θ₁ − θ₂) θ̇₁² + (m₂ a₂² + I₂) θ̈₂ + m₂ g a₂ sin(θ₂) = 0\n",
-        "l₁ = ax_1,1 − ax_0,2 ",
+        "l₁ = a_1,1x − a_0,2x ",
         "l₁ = 1.2 m\n",
-        "a₂ = ax_1,2 ",
+        "a₂ = a_1,2x ",
         "a₂ = 0.5 m\n",
         NULL};
     static const char *const of_masses[] = {
@@ -215,7 +215,7 @@ static void test_spans(CliFixture *fixture, gconstpointer data)
                   "{\"type\": \"rope\", \"name\": \"Rope\", \"ends\": [\"M1\", {\"block\": \"Beam\", \"at\": [1, 0]},"
                   "{\"block\": \"Beam\", \"at\": [-1, 0]}, \"M2\"]}]}");
     static const char *const lines[] = {"L = L₁ + L₂ + L₃ ",
-                                        "L₁ = √((−ax₂ − x₁)² + (Y − y₁)²) ",
+                                        "L₁ = √((−a₂x − x₁)² + (Y − y₁)²) ",
                                         "Rope: span 1, from M1 to Beam\n",
                                         "Rope: span 3, from Beam to M2\n",
                                         "L₃ = 3 m\n",
@@ -374,7 +374,7 @@ static void test_turned_support(CliFixture *fixture, gconstpointer data)
                   "{\"type\": \"mass\", \"name\": \"Bob\", \"position\": [1, -2]},"
                   "{\"type\": \"damper\", \"ends\": [{\"block\": \"Beam\", \"at\": [1, 0]}, \"Bob\"]}]}");
     static const char *const lines[] = {
-        "φ̇ = A ω cos(ω t)", "((x − ax₁ cos(φ)) (ẋ + φ̇ ax₁ sin(φ)) + (y − ax₁ sin(φ)) (ẏ − φ̇ ax₁ cos(φ))) / L", NULL};
+        "φ̇ = A ω cos(ω t)", "((x − a₁x cos(φ)) (ẋ + φ̇ a₁x sin(φ)) + (y − a₁x sin(φ)) (ẏ − φ̇ a₁x cos(φ))) / L", NULL};
     cJSON *root = written_json(fixture, "equations @scene.json --as json");
     written_assert_all(root);
     cJSON_Delete(root);

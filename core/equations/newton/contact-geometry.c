@@ -50,7 +50,7 @@ static double rounding_of(const TinkerEquationWriter *writer, const TinkerContac
 /* The names of an arm and of its parts in the axes of the block. */
 typedef struct {
     TinkerBlockId of; /* the block */
-    const char *local[2], *arm;
+    const char *local, *arm;
 } ArmNames;
 
 /* The arm to a place of a block, `own` in its own axes; nothing at its centre. */
@@ -64,9 +64,10 @@ static void add_arm(TinkerEquationWriter *writer, const TinkerContactForce *cont
     TinkerExpression *local[2], *arm[2];
     if (own[0] == 0 && own[1] == 0) return;
     for (int k = 0; k < 2; k++) {
-        local[k] = tinker_writer_symbol(
-            writer, tinker_contact_name(writer, contact, names->local[k], NULL), owner, own[k], tinker_length_dimension,
-            NULL, is_body ? "where it touches, in the body's axes" : "its corner, in its own axes");
+        local[k] =
+            tinker_writer_symbol(writer, tinker_contact_name(writer, contact, names->local, components[k]), owner,
+                                 own[k], tinker_length_dimension, NULL,
+                                 is_body ? "where it touches, in the body's axes" : "its corner, in its own axes");
         tinker_equations_set_rounding(writer->equations, local[k]->name, rounding_of(writer, contact));
     }
     if (tinker_expression_is_number(angle, 0)) {
@@ -116,7 +117,7 @@ static void corner_of(const TinkerEquationWriter *writer, const TinkerContactFor
 
 static void add_tip(TinkerEquationWriter *writer, const TinkerContactForce *contact, TinkerContactSide *tip)
 {
-    const ArmNames names = {contact->tip, {"ax", "ay"}, "r"};
+    const ArmNames names = {contact->tip, "a", "r"};
     double own[2] = {0, 0};
     tinker_writer_centre(writer, contact->tip, &tip->point);
     if (contact->shape == TINKER_TOUCHES_AS_DISC)
@@ -209,7 +210,7 @@ static void add_edge(TinkerEquationWriter *writer, const TinkerContactForce *con
 
 static void add_round(TinkerEquationWriter *writer, const TinkerContactForce *contact, TinkerContactGeometry *geometry)
 {
-    const ArmNames names = {contact->seat, {"bx", "by"}, "q"};
+    const ArmNames names = {contact->seat, "b", "q"};
     const TinkerGapFunction *gap = &contact->touch->gap;
     TinkerContactSide *seat = &geometry->seat;
     double own[2];

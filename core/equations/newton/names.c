@@ -77,8 +77,8 @@ static void count_stems(TinkerEquationWriter *writer, TinkerBlockId block, const
                         Group group)
 {
     static const char *const of_bodies[] = {"m", "I", "x", "y", "θ", "h", "R", NULL};
-    static const char *const of_supports[] = {"X",  "Y",  "φ",  "X0", "Y0", "φ0", "H",  "N", "f",
-                                              "µs", "µd", "s0", "σ",  "r",  "ax", "ay", "M", NULL};
+    static const char *const of_supports[] = {"X",  "Y",  "φ",  "X0", "Y0", "φ0", "H", "N", "f",
+                                              "µs", "µd", "s0", "σ",  "r",  "a",  "M", NULL};
     /* of what acts without a law, and of what moves so */
     static const char *const of_unwritten[] = {"F", "τ", "ux", "uy", "uφ", NULL};
     static const char *const of_lines[] = {"L", "T", NULL}, *const of_constraints[] = {"L", "λ", NULL};

@@ -165,7 +165,7 @@ static TinkerExpression *offset(TinkerEquationWriter *writer, TinkerBlockId conn
     g_autofree char *key = g_strdup_printf("ends %d at %s", number, along_x ? "x" : "y");
     g_autofree char *index = g_strdup_printf("%s%s%d", tinker_writer_index(writer, connector),
                                              tinker_writer_index(writer, connector)[0] != '\0' ? "," : "", number + 1);
-    const char *name = tinker_equations_free_name(writer->equations, connector, along_x ? "ax" : "ay", index, 0, NULL);
+    const char *name = tinker_equations_free_name(writer->equations, connector, "a", index, 0, along_x ? "x" : "y");
     tinker_equations_set_rounding(writer->equations, name, DBL_EPSILON * fmax(writer->extent, hypot(end->x, end->y)));
     return tinker_writer_symbol(writer, name, connector, value, tinker_length_dimension, key, NULL);
 }
