@@ -19,11 +19,10 @@ static void put_name(GString *text, const char *name)
     }
 }
 
-/* "L0" is L with the index 0, "µd" µ with the index d, "theta" upright, "x" a letter. Where the index begins is
- * answered. */
+/* A letter, or a word upright. Where the index begins is answered. */
 static const char *put_stem(GString *text, const char *stem)
 {
-    const gsize length = (guchar)stem[0] < 0x80 ? strcspn(stem, "0123456789") : (gsize)(g_utf8_next_char(stem) - stem);
+    const gsize length = tinker_stem_letters(stem);
     g_autofree char *letters = g_strndup(stem, length);
     const char *greek = tinker_greek_name(letters);
     if (greek != NULL) {

@@ -25,7 +25,7 @@ static void put_letters(GString *text, const TinkerSymbolLook *look, gsize lengt
 
 static void put_symbol(GString *text, const TinkerSymbolLook *look)
 {
-    const gsize length = strcspn(look->stem, "0123456789");
+    const gsize length = tinker_stem_letters(look->stem);
     const char *const parts[] = {look->stem + length, look->index, look->component != NULL ? look->component : ""};
     g_autoptr(GString) index = g_string_new(NULL);
     for (gsize i = 0; i < G_N_ELEMENTS(parts); i++) {

@@ -51,6 +51,9 @@ void tinker_typeset_digits(char digits[32], double number);
 /* Takes the power of ten off the digits of a number, "1.2e-05" is 1.2 and -5; FALSE where it has none. */
 gboolean tinker_typeset_power(char digits[32], int *power);
 
+/* Bytes of a stem before its index: "L0" is L with the index 0, "µd" µ with the index d, "theta" a word. */
+gsize tinker_stem_letters(const char *stem);
+
 /* A Greek letter's name in LaTeX, "theta"; NULL where the letter is none. */
 const char *tinker_greek_name(const char *letter);
 

@@ -27,7 +27,7 @@ static void put_index(GString *text, const char *index)
 
 static void put_symbol(GString *text, const TinkerSymbolLook *look)
 {
-    const gsize length = strcspn(look->stem, "0123456789");
+    const gsize length = tinker_stem_letters(look->stem);
     g_autofree char *letters = g_strndup(look->stem, length);
     const char *greek = tinker_greek_name(letters);
     if (greek != NULL && g_str_has_prefix(greek, "var")) greek += strlen("var");

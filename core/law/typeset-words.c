@@ -19,6 +19,11 @@ gboolean tinker_typeset_power(char digits[32], int *power)
     return TRUE;
 }
 
+gsize tinker_stem_letters(const char *stem)
+{
+    return (guchar)stem[0] < 0x80 ? strcspn(stem, "0123456789") : (gsize)(g_utf8_next_char(stem) - stem);
+}
+
 const char *tinker_greek_name(const char *letter)
 {
     static const struct {

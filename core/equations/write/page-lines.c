@@ -50,14 +50,21 @@ void tinker_page_line_sum(TinkerPage *page, char *left, int component, char *com
     line->comment = comment;
 }
 
-void tinker_page_line_term(TinkerPage *page, TinkerBlockId block, TinkerTermKind kind,
-                           const TinkerExpression *expression)
+static void add_term(TinkerPage *page, TinkerBlockId block, TinkerTermKind kind, const TinkerExpression *expression)
 {
     TinkerEquationLine *line = g_ptr_array_index(page->lines, page->lines->len - 1);
     const TinkerLineTerm term = {tinker_expression_typeset_term(expression, line->terms->len == 0, page->format,
                                                                 tinker_equations_look, (void *)page->equations),
                                  block, kind};
     g_array_append_val(line->terms, term);
+}
+
+void tinker_page_line_terms(TinkerPage *page, TinkerBlockId block, TinkerTermKind kind,
+                            const TinkerExpression *expression)
+{
+    const gboolean is_sum = expression->kind == TINKER_EXPRESSION_SUM;
+    for (int i = 0; i < (is_sum ? expression->count : 1); i++)
+        add_term(page, block, kind, is_sum ? expression->parts[i] : expression);
 }
 
 GPtrArray *tinker_page_lines_new(void)

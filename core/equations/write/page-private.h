@@ -24,13 +24,17 @@ void tinker_page_equation(TinkerPage *page, char *left, char *right, char *comme
 /* left = right, of which the summands may stand in several lines; `left` and `comment` are taken over. */
 void tinker_page_equals(TinkerPage *page, char *left, const TinkerExpression *right, char *comment);
 
-/* Equations as lines of a page, in place of its text; page-lines.c. A sum has its terms added one by one. */
+/* sum = 0; as lines, which break on the right alone, 0 = sum. */
+void tinker_page_vanishes(TinkerPage *page, const TinkerExpression *sum);
+
+/* Equations as lines of a page, in place of its text; page-lines.c. A sum has its terms added, of each block all
+ * summands one by one: between any two the line may break. */
 GPtrArray *tinker_page_lines_new(void);
 void tinker_page_line_heading(TinkerPage *page, const char *heading);
 void tinker_page_line(TinkerPage *page, char *left, char *right, char *comment);
 void tinker_page_line_sum(TinkerPage *page, char *left, int component, char *comment);
-void tinker_page_line_term(TinkerPage *page, TinkerBlockId block, TinkerTermKind kind,
-                           const TinkerExpression *expression);
+void tinker_page_line_terms(TinkerPage *page, TinkerBlockId block, TinkerTermKind kind,
+                            const TinkerExpression *expression);
 
 /* What the writers of write.h put between a page's beginning and its end. */
 void tinker_equations_put_newton(TinkerPage *page, const TinkerEquationsShown *shown);

@@ -221,8 +221,17 @@ void tinker_page_equals(TinkerPage *page, char *left, const TinkerExpression *ri
         return;
     }
     tinker_page_line_sum(page, left, -1, comment);
-    for (int i = 0; i < right->count; i++)
-        tinker_page_line_term(page, page->about, TINKER_TERM_FORCE, right->parts[i]);
+    tinker_page_line_terms(page, page->about, TINKER_TERM_FORCE, right);
+}
+
+void tinker_page_vanishes(TinkerPage *page, const TinkerExpression *sum)
+{
+    g_autoptr(TinkerExpression) nothing = tinker_expression_number(0);
+    char *zero = tinker_page_expression(page, nothing);
+    if (page->lines != NULL)
+        tinker_page_equals(page, zero, sum, NULL);
+    else
+        tinker_page_equation(page, tinker_page_expression(page, sum), zero, NULL);
 }
 
 char *tinker_page_end(TinkerPage *page)

@@ -8,7 +8,6 @@ static void write_tree(TinkerPage *page, const TinkerAngleTree *tree)
 {
     static const TinkerDimension radians = {0, 0, 0, 1};
     g_autoptr(GString) heading = g_string_new(NULL);
-    g_autoptr(TinkerExpression) zero = tinker_expression_number(0);
     for (guint i = 0; i < tree->angles->len; i++) {
         const TinkerRodAngle *angle = &g_array_index(tree->angles, TinkerRodAngle, i);
         g_string_append_printf(heading, "%s%s", i > 0 ? ", " : "",
@@ -16,8 +15,7 @@ static void write_tree(TinkerPage *page, const TinkerAngleTree *tree)
     }
     tinker_page_heading(page, heading->str);
     for (guint i = 0; i < tree->equations->len; i++)
-        tinker_page_equation(page, tinker_page_expression(page, g_ptr_array_index(tree->equations, i)),
-                             tinker_page_expression(page, zero), NULL);
+        tinker_page_vanishes(page, g_ptr_array_index(tree->equations, i));
     tinker_page_gap(page);
     for (guint i = 0; i < tree->angles->len; i++) {
         const TinkerRodAngle *angle = &g_array_index(tree->angles, TinkerRodAngle, i);

@@ -115,11 +115,11 @@ static void write_terms(TinkerPage *page, const TinkerBodyEquation *body, const 
     for (guint i = 0; i < body->terms->len; i++) {
         const TinkerTerm *term = &g_array_index(body->terms, TinkerTerm, i);
         if (tinker_expression_is_number(part_of(term, component), 0)) continue;
-        tinker_page_line_term(page, term->block, term->kind, part_of(term, component));
+        tinker_page_line_terms(page, term->block, term->kind, part_of(term, component));
         any = TRUE;
     }
     g_autoptr(TinkerExpression) zero = tinker_expression_number(0);
-    if (!any) tinker_page_line_term(page, body->block, TINKER_TERM_FORCE, zero);
+    if (!any) tinker_page_line_terms(page, body->block, TINKER_TERM_FORCE, zero);
 }
 
 static void write_component(TinkerPage *page, const TinkerBodyEquation *body, const Component *component,

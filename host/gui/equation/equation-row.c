@@ -8,6 +8,7 @@
 
 #define LINE_GAP 4
 #define TERM_GAP 2
+#define INDENT   24 /* at least, of all lines but the first */
 
 /* What the value of a term is added up from. */
 typedef struct {
@@ -34,6 +35,13 @@ static void size_of(GtkWidget *child, int size[2])
     gtk_widget_measure(child, GTK_ORIENTATION_VERTICAL, -1, NULL, &size[1], NULL, NULL);
 }
 
+static int least_width(GtkWidget *child)
+{
+    int width;
+    gtk_widget_measure(child, GTK_ORIENTATION_HORIZONTAL, -1, &width, NULL, NULL, NULL);
+    return width;
+}
+
 /* How far above and below their letters' line the children from `first` to before `last` reach. */
 static void line_reach(GtkWidget *first, GtkWidget *last, double reach[2])
 {
@@ -47,7 +55,17 @@ static void line_reach(GtkWidget *first, GtkWidget *last, double reach[2])
     }
 }
 
-/* Lays out within a width and answers the height; `place`: and gives the children their places. */
+/* Where a line begins: beneath the first term, or further left where its own first one is too wide for that. */
+static double line_start(GtkWidget *begin, double indent, double width)
+{
+    int size[2];
+    if (gtk_widget_get_prev_sibling(begin) == NULL) return 0;
+    size_of(begin, size);
+    return fmin(indent, fmax(INDENT, width - size[0]));
+}
+
+/* Lays out within a width and answers the height; `place`: and gives the children their places. One that is wider than
+ * a line of its own becomes smaller. */
 static double lay_out(GtkWidget *row, double width, gboolean place)
 {
     GtkWidget *first = gtk_widget_get_first_child(row);
@@ -57,7 +75,8 @@ static double lay_out(GtkWidget *row, double width, gboolean place)
     size_of(first, size);
     indent = fmin(size[0] + TERM_GAP, width / 2);
     for (GtkWidget *begin = first; begin != NULL;) {
-        double x = begin == first ? 0 : indent, reach[2];
+        const double start = line_start(begin, indent, width);
+        double x = start, reach[2];
         GtkWidget *end = begin;
         do {
             size_of(end, size);
@@ -66,11 +85,12 @@ static double lay_out(GtkWidget *row, double width, gboolean place)
             if (end != NULL) size_of(end, size);
         } while (end != NULL && x + size[0] <= width);
         line_reach(begin, end, reach);
-        x = begin == first ? 0 : indent;
+        x = start;
         for (GtkWidget *child = begin; child != end && place; child = gtk_widget_get_next_sibling(child)) {
             size_of(child, size);
             const double above = tinker_equation_term_above(TINKER_EQUATION_TERM(child));
-            const GtkAllocation box = {(int)x, (int)(y + reach[0] - above), size[0], size[1]};
+            const int room = MAX((int)(width - x), least_width(child));
+            const GtkAllocation box = {(int)x, (int)(y + reach[0] - above), MIN(size[0], room), size[1]};
             gtk_widget_size_allocate(child, &box, -1);
             x += size[0] + TERM_GAP;
         }
@@ -94,12 +114,11 @@ static void tinker_equation_row_measure(GtkWidget *widget, GtkOrientation orient
         *minimum = *natural = (int)ceil(lay_out(widget, for_size < 0 ? G_MAXINT : for_size, FALSE)) + 1;
         return;
     }
-    GtkWidget *first = gtk_widget_get_first_child(widget);
-    for (GtkWidget *child = first; child != NULL; child = gtk_widget_get_next_sibling(child)) {
-        int size[2], left[2];
+    for (GtkWidget *child = gtk_widget_get_first_child(widget); child != NULL;
+         child = gtk_widget_get_next_sibling(child)) {
+        int size[2];
         size_of(child, size);
-        size_of(first, left);
-        *minimum = MAX(*minimum, size[0] + (child != first ? left[0] + TERM_GAP : 0));
+        *minimum = MAX(*minimum, least_width(child) + (gtk_widget_get_prev_sibling(child) != NULL ? INDENT : 0));
         *natural += size[0] + TERM_GAP;
     }
 }

@@ -9,6 +9,7 @@
 #define VALUE_ROOM  16.0 /* beneath the formula */
 #define VALUE_WIDTH 66.0 /* of the longest value: terms keep their places while values change */
 #define PAD         3.0
+#define SMALLEST    0.6 /* of its size a formula is drawn where there is less room */
 
 struct _TinkerEquationTerm {
     GtkWidget parent_instance;
@@ -29,6 +30,7 @@ static void tinker_equation_term_measure(GtkWidget *widget, GtkOrientation orien
     const double width = term->shows_value ? fmax(term->width, VALUE_WIDTH) : term->width;
     const double height = term->above + term->below + (term->shows_value ? VALUE_ROOM : 0);
     *minimum = *natural = (int)ceil((orientation == GTK_ORIENTATION_HORIZONTAL ? width : height) + 2 * PAD);
+    if (orientation == GTK_ORIENTATION_HORIZONTAL) *minimum = (int)ceil(SMALLEST * width + 2 * PAD);
     *minimum_baseline = *natural_baseline = -1;
 }
 
@@ -45,13 +47,18 @@ static void tinker_equation_term_snapshot(GtkWidget *widget, GtkSnapshot *snapsh
 {
     TinkerEquationTerm *term = TINKER_EQUATION_TERM(widget);
     const double width = gtk_widget_get_width(widget), height = gtk_widget_get_height(widget);
+    const double scale = fmin(1, (width - 2 * PAD) / fmax(term->width, 1));
     const graphene_rect_t bounds = GRAPHENE_RECT_INIT(0, 0, (float)width, (float)height);
     GdkRGBA colour;
     if (term->formula == NULL) return;
     gtk_style_context_get_color(gtk_widget_get_style_context(widget), &colour);
     cairo_t *cairo = gtk_snapshot_append_cairo(snapshot, &bounds);
     gdk_cairo_set_source_rgba(cairo, &colour);
-    tinker_math_text_draw(term->formula, cairo, (width - term->width) / 2, PAD + term->above);
+    cairo_save(cairo);
+    cairo_translate(cairo, (width - scale * term->width) / 2, PAD + term->above);
+    cairo_scale(cairo, scale, scale);
+    tinker_math_text_draw(term->formula, cairo, 0, 0);
+    cairo_restore(cairo);
     if (term->shows_value && term->value != NULL) draw_value(term, cairo, width, height);
     cairo_destroy(cairo);
 }

@@ -48,6 +48,21 @@ def test_pointing_at_a_term_lights_its_block(display):
         wait(lambda: app.picture().cut(inside) != dark, "the term to light up")
 
 
+def test_long_equations_are_seen_whole(display):
+    """The yo-yo's cord has definitions wider than the panel: they break, or become smaller."""
+    disc = {"type": "disc", "name": "Yo-yo", "radius": 0.4, "position": [0.1, 1], "solid": False}
+    cord = {"type": "cord", "name": "Cord", "ends": ["Yo-yo", "Finger"], "radius": 0.1}
+    with App(display, scene(GRAVITY, support("Finger", 0, 2, solid=False), disc, cord)) as app:
+        app.show_width()
+        app.click("Equations", role="tab")
+        long = app.find("image", re.compile("^Cord: .*arc ?tan", re.IGNORECASE))
+        edge = app.box(app.find("image", re.compile("^Yo-yo: .* equals$")))[0]
+        panel = app.box(app.find("tab", "Equations"))
+        for node in (long, app.find("image", re.compile("^Cord: root of, max"))):
+            x, _, width, _ = app.box(node)
+            check(edge <= x and x + width <= panel[0] + panel[2] + 8, f"{node.name} is within the panel")
+
+
 def test_normal_force_and_friction_are_told_apart(display):
     """Both terms are of one block: the tooltip says which one it is."""
     content = scene(GRAVITY, support("Floor", 0, -0.5, width=10, height=0.6, static_friction=0.5, dynamic_friction=0.4),
