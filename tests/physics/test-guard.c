@@ -212,6 +212,18 @@ static void test_turned(void)
     }
 }
 
+/* A bumper is met at 10 m/s and turns what meets it round within 3 ms: steps of 10 ms are too long for it, which is no
+ * reason to doubt its plugin. */
+static void test_within_a_step(void)
+{
+    g_autoptr(PhysicsRun) run =
+        physics_run(&(PhysicsOptions){.method = "rk4", .step = 0.01, .duration = 8, .columns = "Bob.x"}, "%s",
+                    "{'type': 'support', 'name': 'Wall', 'solid': false}, "
+                    "{'type': 'mass', 'name': 'Bob', 'position': [50, 0], 'velocity': [-10, 0]}, "
+                    "{'type': 'bumper', 'name': 'Stop', 'ends': ['Wall', 'Bob'], 'stiffness': 1e6, 'length': 0.1}");
+    g_assert_true(warns(run, "the force of Stop, which alone acts here, may change within a step"));
+}
+
 /* A force that is not that of its energy is nobody's stiffness. Where it acts alone it is named, else the part of the
  * scene is. */
 static void test_nobody(void)
@@ -306,6 +318,7 @@ static void add_tests(void)
     g_test_add_func("/physics/guard/valid-part", test_valid_part);
     g_test_add_func("/physics/guard/valid-where-exact", test_valid_where_exact);
     g_test_add_func("/physics/guard/turned", test_turned);
+    g_test_add_func("/physics/guard/within-a-step", test_within_a_step);
     g_test_add_func("/physics/guard/nobody", test_nobody);
     g_test_add_func("/physics/guard/rest", test_rest);
     g_test_add_func("/physics/guard/set-going", test_set_going);

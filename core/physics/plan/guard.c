@@ -109,8 +109,9 @@ static gboolean stores_energy(const TinkerPhysics *physics)
            (physics->field != NULL && physics->field->energy != NULL);
 }
 
-/* The one block whose plugin is asked for forces and for energy, where nothing else acts; or TINKER_NO_BLOCK. */
-static TinkerBlockId lone_block(const TinkerModel *model)
+/* The one block whose plugin is asked for forces and for energy, where nothing else acts; or TINKER_NO_BLOCK. A law
+ * that it `states` is what its plugin is held to. */
+static TinkerBlockId lone_block(const TinkerModel *model, gboolean *states)
 {
     const GArray *asked[] = {model->asked_lines, model->asked_forces, model->asked_fields};
     TinkerBlockId block = TINKER_NO_BLOCK;
@@ -119,18 +120,24 @@ static TinkerBlockId lone_block(const TinkerModel *model)
         for (guint k = 0; k < asked[i]->len; k++) {
             const TinkerBlockBatch *batch = g_array_index(asked[i], TinkerAskedBatch, k).batch;
             count += batch->count;
-            if (batch->count > 0) block = stores_energy(batch->block_class->physics) ? batch->ids[0] : TINKER_NO_BLOCK;
+            if (batch->count == 0) continue;
+            block = stores_energy(batch->block_class->physics) ? batch->ids[0] : TINKER_NO_BLOCK;
+            *states = batch->block_class->law != NULL;
         }
     const gboolean alone =
         count == 1 && model->constraints.rows == 0 && model->contacts == NULL && model->field_drag == 0;
     return alone ? block : TINKER_NO_BLOCK;
 }
 
-/* `fits`: the step is no reason to diverge. */
-static void append_nobody(GString *text, const TinkerModel *model, gboolean fits)
+/* `fits`: the step is no reason to diverge. A fixed one may all the same be longer than what a law does. */
+static void append_nobody(GString *text, const TinkerModel *model, const TinkerIntegrator *method, gboolean fits)
 {
-    TinkerBlockId lone = fits ? lone_block(model) : TINKER_NO_BLOCK;
-    if (lone != TINKER_NO_BLOCK)
+    gboolean states = FALSE;
+    TinkerBlockId lone = fits ? lone_block(model, &states) : TINKER_NO_BLOCK;
+    if (lone != TINKER_NO_BLOCK && states && tinker_method_is_fixed(method))
+        g_string_append_printf(text, _("the force of %s, which alone acts here, may change within a step"),
+                               tinker_scene_block_name(model->scene, lone));
+    else if (lone != TINKER_NO_BLOCK)
         g_string_append_printf(text,
                                _("%s alone acts here: tinker plugins check tells whether its forces agree with its "
                                  "energy"),
@@ -151,7 +158,7 @@ static void append_blame(GString *text, TinkerModel *model, const TinkerSpectrum
         g_string_append_printf(text, _("forces across the velocity make the fastest motion, %.3g rad/s"),
                                spectrum->omega_max);
     else if (block == TINKER_NO_BLOCK)
-        append_nobody(text, model, fits);
+        append_nobody(text, model, method, fits);
     else
         g_string_append_printf(text,
                                damping ? _("the damping of %s makes the fastest motion, %.3g 1/s")
