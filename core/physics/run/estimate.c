@@ -1,8 +1,6 @@
 /* The run's side of the error estimate: what the companion's needs of the run is written down as news
  * (comparison.h), after each step of an island and at samples, and handed on (relay.h). What is compared, and where,
  * is decided here: nothing depends on how far the companion has come. */
-#include "physics/run/estimate.h"
-
 #include <float.h>
 #include <glib/gi18n-lib.h>
 #include <math.h>
@@ -11,70 +9,14 @@
 #include "numerics/exact/exact.h"
 #include "numerics/sharing/sharing.h"
 #include "numerics/solve/largest.h"
-#include "physics/contact/contacts.h"
-#include "physics/event/contact-run.h"
-#include "physics/island/island-run.h"
 #include "physics/model/model-data.h"
 #include "physics/run/companion.h"
-#include "physics/run/comparison.h"
-#include "physics/run/relay.h"
+#include "physics/run/estimate-private.h"
 #include "physics/run/simulation.h"
-#include "physics/run/tolerances.h"
 #include "physics/system/method-call.h"
 
-/* How far a random walk of roundings goes, in units of the root of their number. */
-#define WALK 4.0
-/* An adaptive companion lands on these shares of every step of the run: there dense output errs most, and its own
- * steps are so much shorter that it is the finer of the two where a tenth of the tolerance makes no difference, as
- * where stability or a break makes the steps. To reach a sample behind them it makes a step of that share, which
- * ends within the next step of the run: that is where it lands then, in place of a landing that is as near as this
- * share of the step. */
-static const double landings[] = {0.3, 0.72};
-#define STEP_BEYOND 0.58
-#define NEAR        0.1
-/* In roundings of its places: an island that moves within less rests. */
-#define PLACES_ROUND_WITHIN 64
 /* Of an island of so many bodies threads share the loops already. */
 #define MANY_BODIES (TINKER_SHARE_LEAST / 2)
-
-/* Of one island. */
-typedef struct {
-    gboolean compares;
-    double length;                  /* s: of the run's last step */
-    double reached;                 /* s: where that ended */
-    double told;                    /* s: the companion has been told to come so far */
-    double extent, speed;           /* m, m/s: the scales where it began, of an adaptive method */
-    double next_extent, next_speed; /* and where it ended */
-    double landing;                 /* s: the last one that the companion was told of */
-    double beyond;                  /* s: and where it goes from there if a sample is behind it, */
-    double begun;                   /* as it does now; else -INFINITY */
-    TinkerTimeGrid grid;            /* of the companion's steps, and the number of the next one; of a fixed method */
-    gint64 next_step;
-    double acceleration; /* m/s^2: the largest so far */
-    double fastest;      /* rad/s: no mode of an exact island is faster */
-    double *start;       /* where its coordinates were; NULL where it is not exact */
-    double swing;        /* and how far they have been from there, */
-    double mean_speed;   /* m/s: on the way to where that was the fastest */
-    double rounding;     /* m: of the places of its points in the scene */
-} Part;
-
-/* Room for the bodies of an island. */
-typedef struct {
-    double *q, *v;
-} Bodies;
-
-struct _TinkerEstimate {
-    TinkerIslandRuns *runs;
-    TinkerComparison *comparison;
-    TinkerRelay *relay;
-    Part *parts; /* island by island */
-    Bodies then, now;
-};
-
-static void scales_of(TinkerIslandRun *run, double *extent, double *speed)
-{
-    run->system.system.scales(&run->system, run->state.q, run->state.v, extent, speed);
-}
 
 /* Waiting ---------------------------------------------------------------------------------------------------------- */
 
@@ -142,13 +84,13 @@ static double rounding_of_places(const TinkerModel *model)
     return DBL_EPSILON * (hypot(model->origin[0], model->origin[1]) + arm + within);
 }
 
-static void open_part(Part *part, TinkerIslandRun *run)
+static void open_part(TinkerEstimatePart *part, TinkerIslandRun *run)
 {
     const TinkerSystem *system = &run->system.system;
     part->compares = tinker_companion_factor(run) > 0;
     part->landing = part->begun = -INFINITY;
     if (run->choice.step > 0) part->grid = tinker_time_grid(run->choice.step / 2);
-    scales_of(run, &part->next_extent, &part->next_speed);
+    tinker_estimate_scales(run, &part->next_extent, &part->next_speed);
     part->rounding = rounding_of_places(run->model);
     if (!tinker_method_is_exact(run->choice.method) || system->linear == NULL) return;
     part->fastest = tinker_exact_fastest(system->linear);
@@ -178,7 +120,7 @@ TinkerEstimate *tinker_estimate_new(TinkerIslandRuns *runs, const GArray *column
     g_autoptr(GError) error = NULL;
     TinkerEstimate *estimate = g_new0(TinkerEstimate, 1);
     estimate->runs = runs;
-    estimate->parts = g_new0(Part, runs->runs->len);
+    estimate->parts = g_new0(TinkerEstimatePart, runs->runs->len);
     double **rooms[] = {&estimate->then.q, &estimate->then.v, &estimate->now.q, &estimate->now.v};
     for (gsize i = 0; i < G_N_ELEMENTS(rooms); i++)
         *rooms[i] = g_new0(double, (gsize)runs->model->coordinates + 1);
@@ -198,64 +140,6 @@ TinkerEstimate *tinker_estimate_new(TinkerIslandRuns *runs, const GArray *column
 
 /* Steps ------------------------------------------------------------------------------------------------------------ */
 
-static void note_step(Part *part, TinkerIslandRun *run)
-{
-    part->length = run->state.t - part->reached;
-    part->reached = run->state.t;
-    if (!tinker_method_is_adaptive(run->choice.method)) return;
-    part->extent = part->next_extent;
-    part->speed = part->next_speed;
-    scales_of(run, &part->next_extent, &part->next_speed);
-}
-
-static int32_t choose_landings(Part *part, double *times)
-{
-    const double from = part->reached - part->length;
-    const gboolean has_begun = part->begun > from && part->begun < part->reached;
-    int32_t points = 0;
-    if (has_begun) times[points++] = part->begun;
-    for (gsize i = 0; i < G_N_ELEMENTS(landings); i++) {
-        const double landing = from + landings[i] * part->length;
-        if (!has_begun || landing > part->begun + NEAR * part->length) times[points++] = landing;
-    }
-    part->begun = -INFINITY;
-    return points;
-}
-
-/* Where the companion's steps end within the run's; at the end alone where dense output is of an order above that of
- * the method. */
-static int32_t choose_ends(Part *part, const TinkerIntegrator *method, double *times)
-{
-    int32_t points = 0;
-    const double slack = TINKER_SAME_TIME_IN_STEP * part->grid.spacing, from = part->reached - part->length;
-    double next;
-    if (method->dense_order < method->order && part->grid.spacing > 0) {
-        while ((next = tinker_time_grid_at(&part->grid, part->next_step)) <= from + slack)
-            part->next_step++;
-        for (; next < part->reached - slack && points < TINKER_MOST_POINTS - 1;
-             next = tinker_time_grid_at(&part->grid, ++part->next_step))
-            times[points++] = next;
-    }
-    times[points++] = part->reached;
-    return points;
-}
-
-/* Where the two are compared in the step that the run has made, and where the companion goes from there. */
-static int32_t choose_points(Part *part, const TinkerIslandRun *run, double *times)
-{
-    const TinkerIntegrator *method = run->choice.method;
-    if (!tinker_method_is_adaptive(method)) {
-        part->landing = part->beyond = times[0] = part->reached;
-        return tinker_method_is_exact(method) ? 1 : choose_ends(part, method, times);
-    }
-    const int32_t points = choose_landings(part, times);
-    part->landing = times[points - 1];
-    const gboolean stops = run->state.t >= run->piece_end ||
-                           (run->contacts != NULL && tinker_contact_run_has_pending_event(run->contacts));
-    part->beyond = stops ? part->reached : part->landing + STEP_BEYOND * part->length;
-    return points;
-}
-
 /* On the constraints, as samples are: between its ends a step leaves them by far more than it is off along them, most
  * of all where they leave nothing free. */
 static void write_states(const TinkerStepNews *news, TinkerIslandRun *run, double *states)
@@ -273,7 +157,7 @@ static void write_states(const TinkerStepNews *news, TinkerIslandRun *run, doubl
 static gboolean follow(void *follower, guint number, double t, GError **error)
 {
     TinkerEstimate *estimate = follower;
-    Part *part = &estimate->parts[number];
+    TinkerEstimatePart *part = &estimate->parts[number];
     TinkerIslandRun *run = g_ptr_array_index(estimate->runs->runs, number);
     if (!part->compares || part->reached >= run->summary.determined_until) return TRUE;
     const TinkerComparisonState state = tinker_comparison_state(estimate->comparison);
@@ -283,8 +167,7 @@ static gboolean follow(void *follower, guint number, double t, GError **error)
     if (!steps && !(until > part->told)) return TRUE;
     TinkerStepNews step = {.kind = TINKER_NEWS_STEP, .island = number, .steps = steps, .until = until};
     if (steps) {
-        note_step(part, run);
-        step.points = choose_points(part, run, step.times);
+        step.points = tinker_estimate_part_step(part, run, step.times);
     }
     TinkerStepNews *news =
         add_news(estimate, tinker_comparison_step_bytes(estimate->comparison, number, step.points), error);
@@ -302,97 +185,18 @@ static gboolean follow(void *follower, guint number, double t, GError **error)
 
 /* Samples ---------------------------------------------------------------------------------------------------------- */
 
-/* How far an exact island has been from where it started, and how fast it has been on the way at least: its steps are
- * long, and where it has come to rest within the first they have seen no speed of it. */
-static void note_swing(Part *part, const TinkerIslandRun *run)
-{
-    if (part->start == NULL) return;
-    for (int32_t i = 0; i < run->system.system.size; i++)
-        part->swing = fmax(part->swing, fabs(run->state.q[i] - part->start[i]));
-    if (run->state.t > 0) part->mean_speed = fmax(part->mean_speed, part->swing / run->state.t);
-}
-
-/* Every step of an exact solution rounds its modes, and with a place that is off by epsilon of its swing a mode's
- * speed is off by w times that. Where something slow deflects what is stiff that is much beside the speed. In m/s,
- * as a random walk of the steps. */
-static double rounding_of_speeds(const Part *part, const TinkerIslandRun *run)
-{
-    const gboolean exact = run->system.system.linear != NULL && tinker_method_is_exact(run->choice.method);
-    if (part->start == NULL || !exact) return 0;
-    return WALK * DBL_EPSILON * sqrt((double)run->summary.steps) * part->fastest * part->swing;
-}
-
-/* What rounding makes of an exact solution by time t. A frequency w that is off by one part in 1 / epsilon moves
- * places by epsilon w t of their swing and speeds by as much of theirs, which is epsilon t times the largest speed
- * and acceleration. */
-static double rounding(TinkerEstimate *estimate, guint number, double t)
-{
-    TinkerIslandRun *run = g_ptr_array_index(estimate->runs->runs, number);
-    TinkerSystem *system = &run->system.system;
-    Part *part = &estimate->parts[number];
-    double extent, speed, *greatest = &part->acceleration;
-    gint64 evaluations = run->model->evaluations;
-    if (system->acceleration(system->context, run->state.t, run->state.q, run->state.v, estimate->now.q, NULL) ==
-        TINKER_OK)
-        *greatest = fmax(*greatest, tinker_largest(system->size, estimate->now.q));
-    run->model->evaluations = evaluations;
-    system->scales(system->context, run->state.q, run->state.v, &extent, &speed);
-    if (system->linear != NULL && tinker_method_is_exact(run->choice.method)) note_swing(part, run);
-    speed = fmax(speed, part->mean_speed);
-    double places = extent > 0 ? speed / extent : 0, speeds = speed > 0 ? *greatest / speed : 0;
-    double steps = speed > 0 ? rounding_of_speeds(part, run) / speed : 0;
-    return fmax(DBL_EPSILON * t * fmax(places, speeds), steps);
-}
-
-/* Whether an island does nothing but rest on plates, or where a joint on a support holds it: what moves there is
- * rounding, and has no scale. */
-static gboolean rests(const Part *part, const TinkerIslandRun *run, double extent)
-{
-    const TinkerContacts *contacts = run->model->contacts;
-    if (extent < PLACES_ROUND_WITHIN * part->rounding) return TRUE;
-    return tinker_contacts_act(contacts) && extent < TINKER_RESTS_WITHIN * tinker_contacts_extent(contacts);
-}
-
-/* The largest of the bodies' distances from one place to another. */
-static double largest_way(const TinkerIslandRun *run, const double *from, const double *to)
-{
-    double largest = 0;
-    for (int32_t i = 0; i < 2 * run->model->bodies; i += 2) {
-        const double x = to[i] - from[i], y = to[i + 1] - from[i + 1];
-        largest = fmax(largest, x * x + y * y);
-    }
-    return sqrt(largest);
-}
-
-/* Up to a sample, which a long step of the run has passed by far where motion begins: what it reaches at its end
- * would make little of errors that are large as yet. */
-static void scales_at(TinkerEstimate *estimate, TinkerIslandRun *run, const Part *part, double t, double *extent,
-                      double *speed)
-{
-    Bodies *then = &estimate->then, *now = &estimate->now;
-    scales_of(run, extent, speed);
-    if (!tinker_method_is_adaptive(run->choice.method) || t >= run->state.t || t < part->reached - part->length) return;
-    if (tinker_island_run_unprojected_at(run, part->reached - part->length, then->q, then->v) != TINKER_OK ||
-        tinker_island_run_unprojected_at(run, t, now->q, now->v) != TINKER_OK)
-        return;
-    *extent = fmin(*extent, part->extent + largest_way(run, then->q, now->q));
-    for (int32_t i = 0; i < run->model->coordinates; i++)
-        then->v[i] = 0;
-    *speed = fmin(*speed, fmax(part->speed, largest_way(run, then->v, now->v)));
-}
-
 static TinkerIslandNews news_of(TinkerEstimate *estimate, guint number, double t)
 {
-    Part *part = &estimate->parts[number];
+    TinkerEstimatePart *part = &estimate->parts[number];
     TinkerIslandRun *run = g_ptr_array_index(estimate->runs->runs, number);
     TinkerIslandNews news = {.determined = !(t > run->summary.determined_until)};
     if (!news.determined) return news;
     if (tinker_method_is_exact(run->choice.method) || run->aside.method != NULL)
-        news.rounding = rounding(estimate, number, t);
+        news.rounding = tinker_estimate_rounding(estimate, number, t);
     if (!part->compares) return news;
-    scales_at(estimate, run, part, t, &news.extent, &news.speed);
+    tinker_estimate_scales_at(estimate, run, part, t, &news.extent, &news.speed);
     news.noise = tinker_island_run_speed_noise(run, news.extent);
-    news.rests = rests(part, run, news.extent);
+    news.rests = tinker_estimate_part_rests(part, run, news.extent);
     news.impacts = tinker_impacts_of(run);
     if (tinker_method_is_adaptive(run->choice.method) && t > part->landing) part->begun = part->beyond;
     return news;
