@@ -1,21 +1,15 @@
-/* Compiling, third part: constraint rows, and the pattern of S = J M^-1 J^T. */
-#include <errno.h>
-#include <glib/gi18n-lib.h>
+/* Compiling, third part: constraint rows. */
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "physics/compile/compile-private.h"
-#include "physics/compile/tolerances.h"
+#include "physics/compile/constraint-parts.h"
 #include "physics/constraint/constraints.h"
 #include "physics/constraint/pin-chains.h"
 #include "physics/constraint/row-chains.h"
 #include "physics/constraint/straight-bars.h"
 #include "physics/constraint/tolerances.h"
 #include "physics/model/angles.h"
-
-/* Beyond this many products a factorisation takes longer, and more memory, than anybody has. */
-#define MOST_PRODUCTS 2e7
 
 static int32_t ends_of(const TinkerBlockBatch *batch, int32_t row)
 {
@@ -109,29 +103,13 @@ static void number_straight_entries(TinkerConstraints *all)
     }
 }
 
-/* A part of what constraints need; what lacks is told once, when all has been asked for. */
-static gpointer allot_part(TinkerModel *model, gsize count, gsize size)
-{
-    gpointer part = g_try_malloc0_n(MAX(count, 1), size);
-    model->lacks_memory |= part == NULL;
-    return part;
-}
-#define ALLOT(model, type, count) ((type *)allot_part((model), (gsize)(count), sizeof(type)))
-
-static gboolean lack_memory(const TinkerModel *model, GError **error)
-{
-    g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_MEMORY,
-                _("there is no memory for the equations of %d constraints"), model->constraints.rows);
-    return FALSE;
-}
-
 /* Where bodies turn: whom the entries belong to, and which of them turn their body. */
 static gboolean number_turns(TinkerModel *model, GError **error)
 {
     TinkerConstraints *all = &model->constraints;
     all->turns = ALLOT(model, TinkerTurnEntry, all->entries);
     all->turn_starts = ALLOT(model, int32_t, all->rows + 1);
-    if (model->lacks_memory) return lack_memory(model, error);
+    if (model->lacks_memory) return tinker_constraints_lack_memory(model, error);
     for (int32_t e = 0; e < all->entries; e++) {
         const int32_t body = tinker_model_body_of(model, all->ends_at[e]);
         all->points[e] = body >= 0 ? body : all->ends_at[e];
@@ -172,7 +150,7 @@ static gboolean allot(TinkerModel *model, GError **error)
     all->correction = ALLOT(model, double, rows);
     all->displacement = ALLOT(model, double, (gsize)MAX(model->coordinates, 1));
     all->by_point = ALLOT(model, double, 2 * (gsize)MAX(model->points, 1));
-    return !model->lacks_memory || lack_memory(model, error);
+    return !model->lacks_memory || tinker_constraints_lack_memory(model, error);
 }
 
 static gboolean allot_jacobians(TinkerModel *model, GError **error)
@@ -182,166 +160,7 @@ static gboolean allot_jacobians(TinkerModel *model, GError **error)
                             &all->turned};
     for (gsize i = 0; i < G_N_ELEMENTS(jacobians); i++)
         *jacobians[i] = ALLOT(model, double, all->jacobian_size);
-    return !model->lacks_memory || lack_memory(model, error);
-}
-
-/* The larger side of the box about all points that something can be at; where these are one place but for the places
- * in them, as of two discs on one pin, the largest radius of gyration. */
-static double extent_of(const TinkerModel *model)
-{
-    double far = 0, gyration = 0;
-    double least[2] = {INFINITY, INFINITY}, greatest[2] = {-INFINITY, -INFINITY};
-    for (int32_t i = 0; i < model->points; i++) {
-        if (i >= model->bodies && i < model->first_attachment) continue;
-        if (i >= model->first_attachment && tinker_model_attachment(model, i)->turn) continue;
-        const double place[2] = {model->point[i].x, model->point[i].y};
-        for (int k = 0; k < 2; k++) {
-            least[k] = MIN(least[k], place[k]);
-            greatest[k] = MAX(greatest[k], place[k]);
-            far = MAX(far, fabs(place[k] + model->origin[k]));
-        }
-    }
-    const double extent = MAX(greatest[0] - least[0], greatest[1] - least[1]), rounding = TINKER_LEAST_EXTENT * far;
-    if (extent > rounding) return extent;
-    for (int32_t turn = 0; turn < model->turning; turn++)
-        gyration = MAX(gyration, model->turns[turn].gyration);
-    return MAX(rounding, gyration);
-}
-
-/* The rows' lengths: the block's own word, else the largest distance between its ends at the start; of ends in one
- * place the scene's extent. */
-static void measure(TinkerModel *model, const TinkerConstraintBatch *part, double extent)
-{
-    TinkerConstraints *all = &model->constraints;
-    double *scale = all->scales + part->first_row;
-    TinkerBatch view = tinker_block_batch_view(part->batch, 0.0);
-    gboolean told = part->constraint->scale != NULL &&
-                    TINKER_CALL_BATCH(part->batch, "scale", &view, part->constraint->scale(&view, scale)) == TINKER_OK;
-    for (int32_t row = part->first_row; row < part->first_row + part->row_count; row++) {
-        all->inverse_scales[row] = 1.0 / all->scales[row];
-        if (told && all->scales[row] > 0) continue;
-        double largest = part->constraint->joint != 0 ? extent : 0;
-        const TinkerPoint *first = &model->point[all->ends_at[all->row_starts[row]]];
-        for (int32_t e = all->row_starts[row]; e < all->row_starts[row + 1]; e++) {
-            const TinkerPoint *other = &model->point[all->ends_at[e]];
-            if (part->angles != NULL &&
-                e - all->row_starts[row] >= (all->row_starts[row + 1] - all->row_starts[row]) / 2)
-                break; /* turns are no places */
-            largest = MAX(largest, hypot(other->x - first->x, other->y - first->y));
-        }
-        if (largest < TINKER_ROUNDED_DISTANCE * extent) largest = extent;
-        all->scales[row] = largest > 0 ? largest : 1.0;
-        all->inverse_scales[row] = 1.0 / all->scales[row];
-    }
-}
-
-static gboolean list_entries_by_body(TinkerModel *model, GError **error)
-{
-    TinkerConstraints *all = &model->constraints;
-    all->body_starts = ALLOT(model, int32_t, model->bodies + 1);
-    all->body_entries = ALLOT(model, int32_t, all->entries);
-    g_autofree int32_t *next = ALLOT(model, int32_t, model->bodies + 1);
-    if (model->lacks_memory) return lack_memory(model, error);
-    for (int32_t e = 0; e < all->entries; e++)
-        if (all->points[e] < model->bodies) all->body_starts[all->points[e] + 1]++;
-    for (int32_t i = 0; i < model->bodies; i++)
-        next[i + 1] = all->body_starts[i + 1] += all->body_starts[i];
-    for (int32_t e = 0; e < all->entries; e++)
-        if (all->points[e] < model->bodies) all->body_entries[next[all->points[e]]++] = e;
-    return TRUE;
-}
-
-static gboolean refuse_entangled(const TinkerModel *model, GError **error)
-{
-    g_set_error(
-        error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_SCENE,
-        _("the %d constraints are so entangled that their equations do not fit into memory (use springs for some)"),
-        model->constraints.rows);
-    return FALSE;
-}
-
-/* Every two ends on one body are a product: of a hub with n rods there are n^2 / 2. */
-static double count_products(const TinkerModel *model)
-{
-    const int32_t *starts = model->constraints.body_starts;
-    double products = 0;
-    for (int32_t i = 0; i < model->bodies; i++)
-        products += 0.5 * (starts[i + 1] - starts[i]) * (starts[i + 1] - starts[i] + 1.0);
-    return products;
-}
-
-static gboolean compile_pattern(TinkerModel *model, gsize products, GError **error)
-{
-    TinkerConstraints *all = &model->constraints;
-    g_autofree int *rows = ALLOT(model, int, products), *columns = ALLOT(model, int, products);
-    gsize count = 0;
-    if (model->lacks_memory) return lack_memory(model, error);
-    for (int32_t i = 0; i < model->bodies; i++)
-        for (int32_t p = all->body_starts[i]; p < all->body_starts[i + 1]; p++)
-            for (int32_t q = p + 1; q < all->body_starts[i + 1]; q++) {
-                int row = all->row_of[all->body_entries[p]], column = all->row_of[all->body_entries[q]];
-                if (row == column) continue;
-                rows[count] = row;
-                columns[count++] = column;
-            }
-    all->ldl = tinker_sparse_ldl_new(all->rows, rows, columns, count);
-    if (all->ldl != NULL) return TRUE;
-    return errno == ENOMEM ? lack_memory(model, error) : refuse_entangled(model, error);
-}
-
-static gboolean list_products(TinkerModel *model, gsize count, GError **error)
-{
-    TinkerConstraints *all = &model->constraints;
-    all->products = ALLOT(model, TinkerProduct, count);
-    if (model->lacks_memory) return lack_memory(model, error);
-    for (int32_t i = 0; i < model->bodies; i++)
-        for (int32_t p = all->body_starts[i]; p < all->body_starts[i + 1]; p++)
-            for (int32_t q = p; q < all->body_starts[i + 1]; q++) {
-                int32_t e = all->body_entries[p], f = all->body_entries[q];
-                double weight = model->inverse_mass[i];
-                if (e != f && all->row_of[e] == all->row_of[f]) weight *= 2; /* both orders fall on the diagonal */
-                all->products[all->product_count++] =
-                    (TinkerProduct){tinker_sparse_ldl_slot(all->ldl, all->row_of[e], all->row_of[f]), e, f, weight};
-            }
-    return TRUE;
-}
-
-/* What falls on one slot stands together, so that it is added up in a register; the order within a slot is fixed, too.
- */
-static int compare_products(const void *left, const void *right)
-{
-    const TinkerProduct *l = left, *r = right;
-    if (l->slot != r->slot) return l->slot < r->slot ? -1 : 1;
-    if (l->first_entry != r->first_entry) return l->first_entry < r->first_entry ? -1 : 1;
-    return l->second_entry < r->second_entry ? -1 : 1;
-}
-
-/* Products of what turns a body: of every two entries there. */
-static gboolean list_turn_products(TinkerModel *model, GError **error)
-{
-    TinkerConstraints *all = &model->constraints;
-    g_autoptr(GArray) products = g_array_new(FALSE, FALSE, sizeof(TinkerProduct));
-    g_autofree int32_t *number_of = ALLOT(model, int32_t, all->entries); /* of an entry: its turn's, + 1 */
-    if (model->lacks_memory) return lack_memory(model, error);
-    for (int32_t k = 0; k < all->turn_count; k++)
-        number_of[all->turns[k].entry] = k + 1;
-    for (int32_t k = 0; k < all->turn_count; k++) {
-        const int32_t entry = all->turns[k].entry, body = all->points[entry];
-        for (int32_t p = all->body_starts[body]; p < all->body_starts[body + 1]; p++) {
-            const int32_t other = all->body_entries[p];
-            if (other < entry || number_of[other] == 0) continue;
-            double weight = model->inverse_mass[body];
-            if (other != entry && all->row_of[other] == all->row_of[entry]) weight *= 2;
-            const int32_t first = 2 * all->entries + k, second = 2 * all->entries + number_of[other] - 1;
-            TinkerProduct product = {tinker_sparse_ldl_slot(all->ldl, all->row_of[entry], all->row_of[other]), first,
-                                     second, weight};
-            g_array_append_val(products, product);
-        }
-    }
-    qsort(products->data, products->len, sizeof(TinkerProduct), compare_products);
-    all->turn_product_count = products->len;
-    all->turn_products = g_memdup2(products->data, products->len * sizeof(TinkerProduct));
-    return TRUE;
+    return !model->lacks_memory || tinker_constraints_lack_memory(model, error);
 }
 
 /* Where any row holds in one direction only. */
@@ -360,7 +179,7 @@ static gboolean allot_unilateral(TinkerModel *model, GError **error)
     all->own_drift = ALLOT(model, double, rows);
     all->own_rate = ALLOT(model, double, rows);
     all->own_jacobian = ALLOT(model, double, all->jacobian_size);
-    if (model->lacks_memory) return lack_memory(model, error);
+    if (model->lacks_memory) return tinker_constraints_lack_memory(model, error);
     for (guint i = 0; i < all->batches->len; i++) {
         const TinkerConstraintBatch *part = &g_array_index(all->batches, TinkerConstraintBatch, i);
         for (int32_t row = part->first_row; row < part->first_row + part->row_count; row++) {
@@ -395,15 +214,8 @@ static gboolean compile_with(TinkerModel *model, GArray *straight, GError **erro
     all->jacobian_size = 2 * (gsize)all->entries;
     if (model->turning > 0 && !number_turns(model, error)) return FALSE;
     if (!allot_jacobians(model, error)) return FALSE;
-    const double extent = extent_of(model);
-    for (guint i = 0; i < all->batches->len; i++)
-        measure(model, &g_array_index(all->batches, TinkerConstraintBatch, i), extent);
-    if (!list_entries_by_body(model, error)) return FALSE;
-    const double products = count_products(model);
-    if (products > MOST_PRODUCTS) return refuse_entangled(model, error);
-    if (!compile_pattern(model, (gsize)products, error) || !list_products(model, (gsize)products, error)) return FALSE;
-    qsort(all->products, all->product_count, sizeof(TinkerProduct), compare_products);
-    if (all->turn_count > 0 && !list_turn_products(model, error)) return FALSE;
+    tinker_constraints_find_scales(model);
+    if (!tinker_constraints_compile_pattern(model, error)) return FALSE;
     if (!allot_unilateral(model, error)) return FALSE;
     if (all->unilateral == NULL) all->chains = tinker_row_chains_new(model);
     if (all->unilateral == NULL && all->chains == NULL) all->pin_chains = tinker_pin_chains_new(model);
