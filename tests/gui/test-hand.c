@@ -219,6 +219,39 @@ static void test_samples_at_rest(void)
     g_assert_cmpfloat_with_epsilon(height(fixture), 2 - cos(6 * 3.501), CLOSE);
 }
 
+static void on_moved(gboolean *told)
+{
+    *told = TRUE;
+}
+
+/* While a run that was made anew comes to where time stands, what is seen is what was there, and not its start. */
+static void test_nothing_jumps(void)
+{
+    g_autoptr(Fixture) fixture = fixture_new();
+    TinkerPlayer *player = fixture->base->player;
+    gui_fixture_start_scene(fixture->base, "'run': {'duration': 4, 'interval': 0.01, 'method': 'rk4', 'step': 2e-6}, "
+                                           "'blocks': [{'type': 'support', 'name': 'S', 'position': [0, 4], "
+                                           "'orientation': '180 deg'}, {'type': 'mass', 'name': 'M', 'position': [0, "
+                                           "1]}, {'type': 'spring', 'name': 'K', 'ends': ['S', 'M'], 'stiffness': 25, "
+                                           "'rest_length': 2}]");
+    TinkerBlockId culprit;
+    TinkerRunStatus status = {0};
+    gboolean told = FALSE;
+    g_assert_true(tinker_player_play(player, &culprit, NULL));
+    g_assert_true(tinker_player_wait(player, 4, NULL));
+    tinker_player_seek(player, 3.9);
+    const double before = height(fixture);
+    const gulong handler = g_signal_connect_swapped(player, "moved", G_CALLBACK(on_moved), &told);
+    turn(fixture, 36);
+    tinker_player_status(player, &status);
+    g_assert_false(status.finished); /* else there is nothing to see */
+    g_assert_false(told);
+    g_assert_cmpfloat(height(fixture), ==, before);
+    g_signal_handler_disconnect(player, handler);
+    g_assert_true(gui_fixture_wait(is_whole, fixture));
+    g_assert_cmpfloat_with_epsilon(height(fixture), 2 - cos(6 * 3.9), CLOSE);
+}
+
 static gboolean has_some(void *data)
 {
     TinkerRunStatus status;
@@ -369,6 +402,7 @@ static void add_tests(void)
     g_test_add_func("/gui/hand/estimate-at-rest", test_estimate_at_rest);
     g_test_add_func("/gui/hand/energies-at-rest", test_energies_at_rest);
     g_test_add_func("/gui/hand/samples-at-rest", test_samples_at_rest);
+    g_test_add_func("/gui/hand/nothing-jumps", test_nothing_jumps);
     g_test_add_func("/gui/hand/as-far-as-it-is", test_as_far_as_it_is);
     g_test_add_func("/gui/hand/refused", test_refused);
     g_test_add_func("/gui/hand/friction-together", test_friction_together);

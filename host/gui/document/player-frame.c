@@ -6,8 +6,9 @@
 #include "gui/document/recorded-quantities.h"
 #include "scene/frame/tops.h"
 
-#define MOST_SPANNED 50000 /* blocks times samples that spans are taken from at once: some milliseconds */
-#define SPANS_LAG_MS 100   /* until what has been recorded meanwhile is looked at */
+#define MOST_SPANNED 50000  /* blocks times samples that spans are taken from at once: some milliseconds */
+#define AWAITED_US   250000 /* for which what was shown before a run was made anew stays on view */
+#define SPANS_LAG_MS 100    /* until what has been recorded meanwhile is looked at */
 
 guint player_signals[PLAYER_SIGNALS];
 
@@ -65,6 +66,7 @@ void player_add_segment(TinkerPlayer *player, TinkerScene *scene, double start)
 void player_record_from_start(TinkerPlayer *player)
 {
     player_forget_record(player);
+    player->anew_us = g_get_monotonic_time();
     player_add_segment(player, tinker_scene_copy(tinker_document_scene(player->document)), 0);
 }
 
@@ -166,8 +168,13 @@ void player_renew_frame(TinkerPlayer *player)
     player_update_frame(player);
 }
 
+/* A run that is made anew has come to the time shown within moments, mostly: until then nothing is told, or all that is
+ * shown would go to the start and back at every move of a hand. */
 void player_moved(TinkerPlayer *player)
 {
     player_update_frame(player);
+    if (tinker_recording_awaits(&player->recording, player->time) &&
+        g_get_monotonic_time() - player->anew_us < AWAITED_US)
+        return;
     g_signal_emit(player, player_signals[PLAYER_MOVED], 0);
 }

@@ -12,6 +12,7 @@ struct _TinkerPlayer {
     TinkerPlayerState state;
     double time, speed, pace;
     gboolean trial; /* edits are those of a hand that tries */
+    gint64 anew_us; /* when a run was begun anew */
     double step_to; /* s: as soon as this is recorded it is shown, and time stands still; NAN while it plays freely */
     TinkerRunLane *lane;
     TinkerRecording recording;

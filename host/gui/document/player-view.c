@@ -73,7 +73,8 @@ gboolean tinker_player_value(TinkerPlayer *player, TinkerBlockId block, int32_t 
     const TinkerSegment *segment = tinker_recording_at(&player->recording, player->time);
     const gboolean is_former = player->state == TINKER_PLAYER_SETUP && player->recording.segments->len > 1;
     gsize row;
-    if (segment == NULL || is_former || !tinker_run_task_find(segment->task, player->time, &row)) return FALSE;
+    if (segment == NULL || is_former || tinker_recording_awaits(&player->recording, player->time)) return FALSE;
+    if (!tinker_run_task_find(segment->task, player->time, &row)) return FALSE;
     int column = tinker_run_task_column(segment->task, (TinkerQuantity){block, quantity});
     return column >= 0 && tinker_run_task_value(segment->task, row, column, player->time, value);
 }

@@ -75,6 +75,14 @@ TinkerSegment *tinker_recording_at(const TinkerRecording *recording, double time
     return NULL;
 }
 
+gboolean tinker_recording_awaits(const TinkerRecording *recording, double time)
+{
+    const TinkerSegment *last = tinker_recording_last(recording);
+    if (last == NULL || !(last->start < time)) return FALSE;
+    const TinkerRunStatus status = tinker_run_task_status(last->task);
+    return !status.finished && (status.rows == 0 || status.reached < time);
+}
+
 double tinker_recording_end(const TinkerRecording *recording, guint number)
 {
     return number + 1 < recording->segments->len ? segment_of(recording, number + 1)->start : INFINITY;
@@ -146,7 +154,7 @@ gboolean tinker_recording_place(const TinkerRecording *recording, TinkerFrame *f
     const TinkerSegment *segment = tinker_recording_at(recording, time);
     gsize row;
     if (!tinker_frame_set_time(frame, time, NULL)) return FALSE;
-    if (segment != NULL && tinker_run_task_find(segment->task, time, &row))
+    if (segment != NULL && !tinker_recording_awaits(recording, time) && tinker_run_task_find(segment->task, time, &row))
         place_between(frame, segment->task, row, &time);
     return TRUE;
 }

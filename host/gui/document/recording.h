@@ -40,6 +40,9 @@ TinkerSegment *tinker_recording_last(const TinkerRecording *recording);
 /* The one that shows this time: of one that begins there and has recorded nothing yet, the start is the last sample of
  * the one before it. */
 TinkerSegment *tinker_recording_at(const TinkerRecording *recording, double time);
+/* Whether what is being recorded has yet to come to this time, as a run that was made anew while a late time is shown.
+ */
+gboolean tinker_recording_awaits(const TinkerRecording *recording, double time);
 /* s: where a segment gives way to the next; INFINITY. */
 double tinker_recording_end(const TinkerRecording *recording, guint number);
 
@@ -48,7 +51,8 @@ guint tinker_recording_generation(TinkerRecording *recording);
 
 /* Puts everything where a sample has it. */
 gboolean tinker_recording_place_sample(TinkerFrame *frame, TinkerRunTask *task, gsize row);
-/* Puts everything where the record has it at a time, straight between two samples. FALSE where a motion fails. */
+/* Puts everything where the record has it at a time, straight between two samples; where the time is awaited, all stays
+ * where it is. FALSE where a motion fails. */
 gboolean tinker_recording_place(const TinkerRecording *recording, TinkerFrame *frame, double time);
 
 /* Appends what has been recorded of a quantity since the last call with this cursor (zeroed at first; begin anew, with
