@@ -5,17 +5,13 @@
 #include <glib/gi18n.h>
 #include <string.h>
 
-#include "common/diagram/books-picture.h"
-#include "common/diagram/diagram-picture.h"
 #include "equations/write/lines.h"
-#include "gui/equation/equation-row.h"
+#include "gui/equation/equation-list.h"
+#include "gui/equation/model-picture.h"
 #include "gui/text/sentence.h"
-#include "gui/widget/desktop-theme.h"
 #include "gui/widget/unparent.h"
 
-#define MOST_BODIES    30 /* whose equations are shown where none are selected */
-#define DIAGRAM_HEIGHT 340
-#define BOOKS_HEIGHT   840
+#define MOST_BODIES 30 /* whose equations are shown where none are selected */
 
 enum { NEWTON, MATRIX, ANGLES };
 
@@ -77,55 +73,6 @@ static GPtrArray *lines_of(TinkerEquationsPage *page, const TinkerModelResult *r
                                   form == ANGLES ? result->angles : NULL, &shown);
 }
 
-static GtkWidget *new_label(const char *text, const char *css_class)
-{
-    GtkWidget *label = gtk_label_new(text);
-    gtk_label_set_xalign(GTK_LABEL(label), 0);
-    gtk_label_set_wrap(GTK_LABEL(label), TRUE);
-    gtk_label_set_wrap_mode(GTK_LABEL(label), PANGO_WRAP_WORD_CHAR);
-    gtk_widget_add_css_class(label, css_class);
-    return label;
-}
-
-static void add_label(GtkWidget *box, const char *text, const char *css_class)
-{
-    gtk_box_append(GTK_BOX(box), new_label(text, css_class));
-}
-
-/* Beside a value stands what it is of. */
-static void add_value(GtkWidget *box, GtkWidget *row, const char *comment)
-{
-    GtkWidget *both = gtk_box_new(GTK_ORIENTATION_HORIZONTAL, 12), *label = new_label(comment, "dim-label");
-    gtk_widget_set_hexpand(label, TRUE);
-    gtk_box_append(GTK_BOX(both), row);
-    gtk_box_append(GTK_BOX(both), label);
-    gtk_box_append(GTK_BOX(box), both);
-}
-
-static gboolean is_value(const TinkerEquationLine *line)
-{
-    if (line->terms->len != 1) return FALSE;
-    const char *text = g_array_index(line->terms, TinkerLineTerm, 0).text;
-    return strstr(text, "<mtext>") != NULL || strstr(text, "<mi>") == NULL; /* a unit, or a number alone */
-}
-
-static void add_line(TinkerEquationsPage *page, GtkWidget *box, const TinkerEquationLine *shown,
-                     const TinkerEquationLine *spoken)
-{
-    if (shown->heading != NULL) {
-        add_label(box, shown->heading, "heading");
-        return;
-    }
-    GtkWidget *row = tinker_equation_row_new(page->document, shown, spoken);
-    const gboolean has_comment = shown->comment != NULL && shown->component < 0;
-    if (has_comment && is_value(shown)) {
-        add_value(box, row, shown->comment);
-        return;
-    }
-    gtk_box_append(GTK_BOX(box), row);
-    if (has_comment) add_label(box, shown->comment, "caption");
-}
-
 static void update_values(TinkerEquationsPage *page)
 {
     const TinkerModelResult *result = tinker_model_task_result(page->task);
@@ -133,23 +80,7 @@ static void update_values(TinkerEquationsPage *page)
     const GArray *forces = shown ? result->state->forces : NULL;
     const TinkerUnitSystem units = tinker_scene_head(tinker_document_scene(page->document))->units;
     const gboolean tell = !is_playing(page); /* else it would never end */
-    GtkWidget *row = gtk_widget_get_first_child(page->rows);
-    for (; row != NULL; row = gtk_widget_get_next_sibling(row))
-        if (TINKER_IS_EQUATION_ROW(row)) tinker_equation_row_show_values(TINKER_EQUATION_ROW(row), forces, units, tell);
-}
-
-/* All equations, without the values below them. (transfer full) */
-static char *written_equations(const GPtrArray *lines)
-{
-    GString *text = g_string_new(NULL);
-    for (guint i = 0; i < lines->len; i++) {
-        const TinkerEquationLine *line = g_ptr_array_index(lines, i);
-        if (line->heading != NULL || is_value(line)) continue;
-        g_string_append(text, line->left);
-        for (guint k = 0; k < line->terms->len; k++)
-            g_string_append(text, g_array_index(line->terms, TinkerLineTerm, k).text);
-    }
-    return g_string_free(text, FALSE);
+    tinker_equation_list_show_values(page->rows, forces, units, tell);
 }
 
 static void clear_rows(TinkerEquationsPage *page)
@@ -163,24 +94,24 @@ static void clear_rows(TinkerEquationsPage *page)
 static void show_rows(TinkerEquationsPage *page, const TinkerModelResult *result)
 {
     g_autoptr(GPtrArray) shown = lines_of(page, result, TINKER_TYPESET_MATHML);
-    g_autofree char *written = written_equations(shown);
+    g_autofree char *written = tinker_equation_lines_written(shown);
     page->is_behind = is_playing(page) && page->why_newton == NULL && g_strcmp0(written, page->written) == 0;
     if (page->is_behind) return;
     g_autoptr(GPtrArray) spoken = lines_of(page, result, TINKER_TYPESET_SPEECH);
     GtkWidget *box = page->rows;
     clear_rows(page);
     page->written = g_steal_pointer(&written);
-    if (page->why_newton != NULL) add_label(page->rows, page->why_newton, "dim-label");
+    if (page->why_newton != NULL) tinker_equation_list_add_text(page->rows, page->why_newton, "dim-label");
     g_clear_pointer(&page->why_newton, g_free);
     for (guint i = 0; i < shown->len; i++) {
         const TinkerEquationLine *next = i + 1 < shown->len ? g_ptr_array_index(shown, i + 1) : NULL;
         const TinkerEquationLine *line = g_ptr_array_index(shown, i);
         if (form_of(page) == NEWTON && line->heading != NULL && next != NULL && next->component < 0) box = page->rest;
-        add_line(page, box, line, g_ptr_array_index(spoken, i));
+        tinker_equation_list_add(box, page->document, line, g_ptr_array_index(spoken, i));
     }
-    if (shown->len == 0) add_label(page->rows, _("Nothing in this scene can move."), "dim-label");
+    if (shown->len == 0) tinker_equation_list_add_text(page->rows, _("Nothing in this scene can move."), "dim-label");
     if (result->bodies[0] == TINKER_NO_BLOCK && result->equations->bodies->len > MOST_BODIES)
-        add_label(page->rows, _("Select bodies to see theirs."), "dim-label");
+        tinker_equation_list_add_text(page->rows, _("Select bodies to see theirs."), "dim-label");
 }
 
 /* Whether the form that is chosen has an equation. */
@@ -247,7 +178,7 @@ static void on_task_changed(TinkerEquationsPage *page)
     }
     if (result != NULL && result->equations == NULL && result->error != NULL) {
         g_autofree char *text = tinker_sentence_in(tinker_document_scene(page->document), result->error->message);
-        add_label(page->rows, text, "dim-label");
+        tinker_equation_list_add_text(page->rows, text, "dim-label");
     }
     show_pictures(page, result);
 }
@@ -275,42 +206,6 @@ static void copy_equations(GtkWidget *widget, const char *name, GVariant *parame
     gdk_clipboard_set_text(gtk_widget_get_clipboard(widget), text);
 }
 
-/* Pictures ------------------------------------------------------------------------------------------------------------
- */
-
-/* What is pointed at, where the result's scene has it. */
-static TinkerBlockId lit_block(TinkerEquationsPage *page, const TinkerModelResult *result)
-{
-    const TinkerBlockId pointed = tinker_document_pointed(page->document);
-    return tinker_scene_has_block(result->scene, pointed) ? pointed : TINKER_NO_BLOCK;
-}
-
-static void draw_diagram(GtkDrawingArea *area, cairo_t *cairo, int width, int height, gpointer data)
-{
-    TinkerEquationsPage *page = data;
-    const TinkerModelResult *result = tinker_model_task_result(page->task);
-    if (result == NULL || result->state == NULL || result->bodies[0] == TINKER_NO_BLOCK) return;
-    g_autoptr(TinkerFrame) frame = tinker_diagram_frame(result->scene, result->state, NULL);
-    g_autoptr(TinkerDiagram) diagram = tinker_diagram_new(result->scene, result->state, result->bodies, NULL);
-    if (frame == NULL || diagram == NULL) return;
-    TinkerDiagramPicture picture = {.frame = frame,
-                                    .diagram = diagram,
-                                    .blocks = result->bodies,
-                                    .theme = tinker_desktop_theme(),
-                                    .lit = lit_block(page, result)};
-    tinker_diagram_draw(cairo, width, height, &picture);
-}
-
-static void draw_books(GtkDrawingArea *area, cairo_t *cairo, int width, int height, gpointer data)
-{
-    TinkerEquationsPage *page = data;
-    const TinkerModelResult *result = tinker_model_task_result(page->task);
-    if (result == NULL || result->books == NULL) return;
-    TinkerBooksPicture picture = {result->scene, result->books, result->bodies, tinker_desktop_theme(),
-                                  lit_block(page, result)};
-    tinker_books_draw(cairo, width, height, &picture);
-}
-
 /* What is going on ----------------------------------------------------------------------------------------------------
  */
 
@@ -318,13 +213,6 @@ static void draw_books(GtkDrawingArea *area, cairo_t *cairo, int width, int heig
 static void on_state_changed(TinkerEquationsPage *page)
 {
     if (!is_playing(page) && page->is_behind) on_task_changed(page);
-}
-
-static void on_pointed(TinkerEquationsPage *page)
-{
-    if (!gtk_widget_get_mapped(GTK_WIDGET(page))) return;
-    gtk_widget_queue_draw(page->diagram);
-    gtk_widget_queue_draw(page->books);
 }
 
 static void tinker_equations_page_map(GtkWidget *widget)
@@ -370,7 +258,7 @@ static void add_tools(TinkerEquationsPage *page)
     gtk_accessible_update_property(GTK_ACCESSIBLE(page->forms), GTK_ACCESSIBLE_PROPERTY_LABEL, _("Form of Equations"),
                                    -1);
     gtk_widget_set_tooltip_text(page->values, _("The force of each term now, beneath it"));
-    page->moment = new_label(NULL, "dim-label");
+    page->moment = tinker_equation_label(NULL, "dim-label");
     gtk_widget_set_hexpand(page->moment, TRUE);
     gtk_widget_set_tooltip_text(page->moment, _("The moment that this page is of"));
     gtk_box_append(GTK_BOX(tools), page->forms);
@@ -392,16 +280,16 @@ static GtkWidget *add_heading(TinkerEquationsPage *page, const char *text)
     return label;
 }
 
-static GtkWidget *add_picture(TinkerEquationsPage *page, GtkDrawingAreaDrawFunc draw, int height, const char *label)
+static void add_results(TinkerEquationsPage *page)
 {
-    GtkWidget *area = g_object_new(GTK_TYPE_DRAWING_AREA, "accessible-role", GTK_ACCESSIBLE_ROLE_IMG, NULL);
-    gtk_drawing_area_set_content_height(GTK_DRAWING_AREA(area), height);
-    gtk_drawing_area_set_draw_func(GTK_DRAWING_AREA(area), draw, page, NULL);
-    gtk_accessible_update_property(GTK_ACCESSIBLE(area), GTK_ACCESSIBLE_PROPERTY_LABEL, label, -1);
-    tinker_desktop_theme_redraws(area);
-    gtk_widget_set_visible(area, FALSE);
-    gtk_widget_set_parent(area, GTK_WIDGET(page));
-    return area;
+    page->diagram_heading = add_heading(page, _("Diagram"));
+    page->diagram = tinker_model_diagram_new(page->document, page->task);
+    gtk_widget_set_parent(page->diagram, GTK_WIDGET(page));
+    page->rest = gtk_box_new(GTK_ORIENTATION_VERTICAL, 4);
+    gtk_widget_set_parent(page->rest, GTK_WIDGET(page));
+    page->books_heading = add_heading(page, _("Books"));
+    page->books = tinker_model_books_new(page->document, page->task);
+    gtk_widget_set_parent(page->books, GTK_WIDGET(page));
 }
 
 GtkWidget *tinker_equations_page_new(TinkerDocument *document, TinkerPlayer *player)
@@ -410,9 +298,9 @@ GtkWidget *tinker_equations_page_new(TinkerDocument *document, TinkerPlayer *pla
     page->document = g_object_ref(document);
     page->player = g_object_ref(player);
     page->task = tinker_model_task_new(document, player);
+    add_results(page);
     g_signal_connect_object(page->task, "changed", G_CALLBACK(on_task_changed), page, G_CONNECT_SWAPPED);
     g_signal_connect_object(player, "state-changed", G_CALLBACK(on_state_changed), page, G_CONNECT_SWAPPED);
-    g_signal_connect_object(document, "pointed-changed", G_CALLBACK(on_pointed), page, G_CONNECT_SWAPPED);
     return GTK_WIDGET(page);
 }
 
@@ -449,11 +337,5 @@ static void tinker_equations_page_init(TinkerEquationsPage *page)
     add_tools(page);
     page->rows = gtk_box_new(GTK_ORIENTATION_VERTICAL, 4);
     gtk_widget_set_parent(page->rows, GTK_WIDGET(page));
-    page->diagram_heading = add_heading(page, _("Diagram"));
-    page->diagram = add_picture(page, draw_diagram, DIAGRAM_HEIGHT, _("Free-body diagram"));
-    page->rest = gtk_box_new(GTK_ORIENTATION_VERTICAL, 4);
-    gtk_widget_set_parent(page->rest, GTK_WIDGET(page));
-    page->books_heading = add_heading(page, _("Books"));
-    page->books = add_picture(page, draw_books, BOOKS_HEIGHT, _("Work and energy, impulse and momentum"));
     gtk_accessible_update_property(GTK_ACCESSIBLE(page), GTK_ACCESSIBLE_PROPERTY_LABEL, _("Equations"), -1);
 }

@@ -1,0 +1,73 @@
+#include "gui/equation/equation-list.h"
+
+#include <string.h>
+
+#include "gui/equation/equation-row.h"
+
+GtkWidget *tinker_equation_label(const char *text, const char *css_class)
+{
+    GtkWidget *label = gtk_label_new(text);
+    gtk_label_set_xalign(GTK_LABEL(label), 0);
+    gtk_label_set_wrap(GTK_LABEL(label), TRUE);
+    gtk_label_set_wrap_mode(GTK_LABEL(label), PANGO_WRAP_WORD_CHAR);
+    gtk_widget_add_css_class(label, css_class);
+    return label;
+}
+
+void tinker_equation_list_add_text(GtkWidget *box, const char *text, const char *css_class)
+{
+    gtk_box_append(GTK_BOX(box), tinker_equation_label(text, css_class));
+}
+
+/* Beside a value stands what it is of. */
+static void add_value(GtkWidget *box, GtkWidget *row, const char *comment)
+{
+    GtkWidget *both = gtk_box_new(GTK_ORIENTATION_HORIZONTAL, 12), *label = tinker_equation_label(comment, "dim-label");
+    gtk_widget_set_hexpand(label, TRUE);
+    gtk_box_append(GTK_BOX(both), row);
+    gtk_box_append(GTK_BOX(both), label);
+    gtk_box_append(GTK_BOX(box), both);
+}
+
+static gboolean is_value(const TinkerEquationLine *line)
+{
+    if (line->terms->len != 1) return FALSE;
+    const char *text = g_array_index(line->terms, TinkerLineTerm, 0).text;
+    return strstr(text, "<mtext>") != NULL || strstr(text, "<mi>") == NULL; /* a unit, or a number alone */
+}
+
+void tinker_equation_list_add(GtkWidget *box, TinkerDocument *document, const TinkerEquationLine *shown,
+                              const TinkerEquationLine *spoken)
+{
+    if (shown->heading != NULL) {
+        tinker_equation_list_add_text(box, shown->heading, "heading");
+        return;
+    }
+    GtkWidget *row = tinker_equation_row_new(document, shown, spoken);
+    const gboolean has_comment = shown->comment != NULL && shown->component < 0;
+    if (has_comment && is_value(shown)) {
+        add_value(box, row, shown->comment);
+        return;
+    }
+    gtk_box_append(GTK_BOX(box), row);
+    if (has_comment) tinker_equation_list_add_text(box, shown->comment, "caption");
+}
+
+void tinker_equation_list_show_values(GtkWidget *box, const GArray *forces, TinkerUnitSystem units, gboolean tell)
+{
+    for (GtkWidget *row = gtk_widget_get_first_child(box); row != NULL; row = gtk_widget_get_next_sibling(row))
+        if (TINKER_IS_EQUATION_ROW(row)) tinker_equation_row_show_values(TINKER_EQUATION_ROW(row), forces, units, tell);
+}
+
+char *tinker_equation_lines_written(const GPtrArray *lines)
+{
+    GString *text = g_string_new(NULL);
+    for (guint i = 0; i < lines->len; i++) {
+        const TinkerEquationLine *line = g_ptr_array_index(lines, i);
+        if (line->heading != NULL || is_value(line)) continue;
+        g_string_append(text, line->left);
+        for (guint k = 0; k < line->terms->len; k++)
+            g_string_append(text, g_array_index(line->terms, TinkerLineTerm, k).text);
+    }
+    return g_string_free(text, FALSE);
+}

@@ -1,0 +1,24 @@
+/* Equations beneath one another in a vertical box, each a row of terms, with headings, comments and values. */
+#ifndef TINKER_GUI_EQUATION_LIST_H
+#define TINKER_GUI_EQUATION_LIST_H
+
+#include <gtk/gtk.h>
+
+#include "equations/write/lines.h"
+#include "gui/document/document.h"
+
+/* Text that wraps; `text` may be NULL. */
+GtkWidget *tinker_equation_label(const char *text, const char *css_class);
+void tinker_equation_list_add_text(GtkWidget *box, const char *text, const char *css_class);
+
+/* A line as it is shown, in MathML, and the same one as it is read out. */
+void tinker_equation_list_add(GtkWidget *box, TinkerDocument *document, const TinkerEquationLine *shown,
+                              const TinkerEquationLine *spoken);
+
+/* See tinker_equation_row_show_values. */
+void tinker_equation_list_show_values(GtkWidget *box, const GArray *forces, TinkerUnitSystem units, gboolean tell);
+
+/* All equations as one text, without the values below them: of another text they are others. (transfer full) */
+char *tinker_equation_lines_written(const GPtrArray *lines);
+
+#endif
