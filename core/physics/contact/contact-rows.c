@@ -139,6 +139,24 @@ static gboolean may_be_eliminated(const TinkerContacts *contacts, guint first, g
     return TRUE;
 }
 
+/* Whether the bodies of these rows differ so much that W has lost digits: beside 1/m of a light body those of a heavy
+ * one that leans on it count for little. */
+static gboolean are_uneven(const TinkerContacts *contacts, guint first, guint count)
+{
+    double least = INFINITY, most = 0;
+    for (guint i = first; i < first + count; i++) {
+        const int32_t contact = g_array_index(contacts->rows, TinkerContactRow, i).contact;
+        const TinkerPlate *plate = &contacts->plates[tinker_contacts_closed(contacts, (guint)contact)->plate];
+        for (int k = 0; plate->pair != NULL && k < 2; k++) {
+            if (plate->pair->point[k] >= contacts->model->bodies) continue;
+            const double mass = contacts->model->mass[plate->pair->point[k]];
+            least = fmin(least, mass);
+            most = fmax(most, mass);
+        }
+    }
+    return most > TINKER_UNEVEN * least;
+}
+
 /* Rows that may be eliminated are of bodies that constraints alone join: what touches besides has entries. FALSE: no
  * memory. */
 static gboolean add_block(TinkerContacts *contacts, guint first, guint count)
@@ -148,6 +166,7 @@ static gboolean add_block(TinkerContacts *contacts, guint first, guint count)
     block.held = contacts->held[tinker_contacts_closed(contacts, (guint)contact)->body];
     for (guint i = first; i < first + count; i++)
         block.held |= g_array_index(contacts->rows, TinkerContactRow, i).entries >= 0;
+    block.uneven = are_uneven(contacts, first, count);
     if (block.held && count > FEW_ROWS && may_be_eliminated(contacts, first, count)) {
         block.elimination =
             tinker_contacts_elimination(contacts, FALSE, tinker_contacts_closed(contacts, (guint)contact)->body);
@@ -224,7 +243,8 @@ static gboolean allot_rows(TinkerContacts *contacts)
     const gsize rows = contacts->rows->len, entries = rows > 0 ? find_blocks(contacts) : 1;
     if (rows == 0) return TRUE;
     if (entries == 0 || !make_room(&contacts->delassus, entries) || !make_room(&contacts->demand, rows) ||
-        !make_room(&contacts->base, rows) || !make_room(&contacts->found, rows) || !make_equations(contacts, rows))
+        !make_room(&contacts->base, rows) || !make_room(&contacts->found, rows) || !make_room(&contacts->asked, rows) ||
+        !make_equations(contacts, rows))
         return FALSE;
     if (contacts->pin_count > 0 && !allot_pins(contacts, rows, entries)) return FALSE;
     list_equations(contacts);
