@@ -25,6 +25,9 @@
 /* No unit: bodies that touch one another and whose masses differ by more are uneven: what solves for their forces by W
  * is looked at again by the bodies. Held by: physics-contact-uneven. */
 #define TINKER_UNEVEN 30.0
+/* No unit; of the largest entry of a scaled W: smaller pivots of uneven bodies are rounding. Held by:
+ * physics-contact-uneven. */
+#define TINKER_UNEVEN_DEPENDENT 1e-14
 /* No unit; of what a pull moves along a row of its own, were there no other: where other constraints leave less of it,
  * they hold the row. Held by: physics-ropes. */
 #define TINKER_ROW_HELD 1e-12
