@@ -40,6 +40,7 @@ typedef struct {
     GArray *told;     /* of TinkerToldEvent: two corners of one pair that do the same are one event */
     gboolean apart;   /* only what leans on the trigger's body shares its load anew (contact-shares.c) */
     gboolean forced;  /* what was found to reach the limit of sticking slips, whatever the laws could share otherwise */
+    gboolean rattles; /* what is met has struck by turns with others without end, within no time (contact-turns.c) */
     double tolerance; /* m: within it a gap is closed */
     double speed, slow;   /* m/s: the largest; the share of it that is still */
     GArray *alternatives; /* of TinkerAlternative: of the impact, where the laws differ; else NULL. Owned */

@@ -257,6 +257,7 @@ static gboolean change_group(TinkerContactRun *self, const TinkerTrigger *trigge
         .contacts = self->contacts,
         .acceleration = self->force,
         .trigger = *trigger,
+        .rattles = tinker_contact_run_strikes_by_turns(self, trigger),
         .group = group,
         .touches = g_array_new(FALSE, TRUE, sizeof(TinkerTouch)),
         .told = g_array_new(FALSE, FALSE, sizeof(TinkerToldEvent)),
@@ -322,10 +323,10 @@ gboolean tinker_contact_run_change(TinkerContactRun *self, const TinkerTrigger *
 {
     double reach = fmax(tolerance, 2 * TINKER_TOUCHING); /* of the other side of a guide */
     note_instant(self);
-    tinker_contact_run_note_turn(self, trigger);
     if (tinker_model_set_time(self->model, self->run->state.t) != TINKER_OK)
         return tinker_island_run_fail(self->run, self->model->failure, error);
     tinker_model_set_state(self->model, self->run->state.q, self->run->state.v);
+    tinker_contact_run_note_turn(self, trigger);
     if (trigger->kind == TINKER_TRIGGER_GAP && trigger->row < 0)
         reach += 2 * fabs(tinker_contact_place(self->contacts, trigger->body, trigger->plate).gap);
     tinker_contact_run_find_near(self, self->run->state.q, self->run->state.q, reach);

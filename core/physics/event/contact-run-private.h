@@ -227,6 +227,9 @@ gboolean tinker_contact_run_leaves(const TinkerContactRun *contact_run, const Ti
 GArray *tinker_contact_turns_new(void);
 void tinker_contact_run_note_turn(TinkerContactRun *contact_run, const TinkerTrigger *trigger);
 gboolean tinker_contact_run_goes_by_turns(const TinkerContactRun *contact_run, const TinkerTrigger *trigger);
+/* Whether what is met strikes so often within no time that the blows have no end: a body between two that close on it.
+ */
+gboolean tinker_contact_run_strikes_by_turns(const TinkerContactRun *contact_run, const TinkerTrigger *trigger);
 
 void tinker_contact_flight_init(TinkerContactFlight *flight, const TinkerContactRun *contact_run, gboolean exact);
 void tinker_contact_flight_clear(TinkerContactFlight *flight);
