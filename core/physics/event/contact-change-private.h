@@ -19,6 +19,7 @@ typedef struct {
     gboolean held; /* a row that neither anything acting nor anything prescribed can move: its speed is rounding */
     gboolean struck;
     gboolean slows;   /* it slides, and what acted up to an event of a speed slowed it down */
+    gboolean begins;  /* it had no speed along, by which it was known to slide: its mode is what the laws made of it */
     gboolean at_end;  /* of the top: it ends unless something stops the body there */
     gboolean leaves;  /* it has just opened, and is asked for impulses alone: a blow may throw it back */
     gboolean dropped; /* on its way out of the list */

@@ -238,6 +238,7 @@ static void note_modes(TinkerContactChange *change, const TinkerContactLaws *law
         double mass = change->model->mass[at->contact.body];
         const guint bearer = tinker_touch_bearer(change, i);
         at->contact.mode = laws->modes[i];
+        at->begins = laws->sliding[i] == 0;
         at->contact.at_limit &= laws->modes[i] != TINKER_CONTACT_OPEN && laws->modes[i] != TINKER_CONTACT_STICK;
         if (bearer != i) {
             const gboolean open = tinker_touch(change, bearer)->contact.mode == TINKER_CONTACT_OPEN;
