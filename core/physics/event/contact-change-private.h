@@ -41,6 +41,7 @@ typedef struct {
     GArray *told;     /* of TinkerToldEvent: two corners of one pair that do the same are one event */
     gboolean apart;   /* only what leans on the trigger's body shares its load anew (contact-shares.c) */
     gboolean forced;  /* what was found to reach the limit of sticking slips, whatever the laws could share otherwise */
+    gboolean jams;    /* forces have grown beyond all bounds up to here: an impulse is to end that */
     gboolean rattles; /* what is met has struck by turns with others without end, within no time (contact-turns.c) */
     double tolerance; /* m: within it a gap is closed */
     double speed, slow;   /* m/s: the largest; the share of it that is still */

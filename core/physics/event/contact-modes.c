@@ -207,8 +207,10 @@ static TinkerContactResult ask_modes(TinkerContactChange *change, TinkerContactL
         (int32_t)laws->count,       laws->delassus, laws->pairs, laws->sliding, laws->first, laws->second,
         TINKER_FORCE_NOISE * scale, laws->motion,   laws->bearer};
     if (tinker_contact_run_goes_by_turns(change->run, &change->trigger)) ask_slow(change, laws);
-    TinkerContactResult result = solve_limits(change, &closed, laws);
-    if (result == TINKER_CONTACT_NO_ACCELERATION && ask_slow(change, laws)) result = solve_modes(change, &closed, laws);
+    TinkerContactResult result = TINKER_CONTACT_NO_ACCELERATION;
+    if (!change->jams) result = solve_limits(change, &closed, laws);
+    if (!change->jams && result == TINKER_CONTACT_NO_ACCELERATION && ask_slow(change, laws))
+        result = solve_modes(change, &closed, laws);
     if (result != TINKER_CONTACT_NO_ACCELERATION) return result;
     g_autofree double *velocity = g_try_new(double, 2 * laws->count);
     if (velocity == NULL) return TINKER_CONTACT_NO_MEMORY;
@@ -273,6 +275,7 @@ gboolean tinker_change_decide(TinkerContactChange *change, GError **error)
             return TRUE;
         }
         if (result != TINKER_CONTACT_NO_ACCELERATION) break;
+        change->jams = FALSE;
         tinker_change_add_event(change, "jam", tinker_touch(change, 0));
         if (!tinker_change_push_all(change, laws.answers))
             return tinker_change_refuse(change, change->model->failure, error);

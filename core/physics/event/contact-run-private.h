@@ -123,6 +123,8 @@ struct _TinkerContactRun {
     gsize closed_room;
     TinkerContactNeighbours neighbours;
     double changed;  /* s: when something changed last */
+    double jammed;   /* s: when forces grew beyond all bounds last; NAN: never */
+    gboolean jams;   /* they do so now */
     guint at_once;   /* changes before, at the same instant */
     double *quiet_x; /* coordinates of the system, where ... */
     double quiet;    /* ... no plate was nearer to any body than this; 0 where one moves */
