@@ -194,6 +194,22 @@ static TinkerContactResult solve_limits(const TinkerContactChange *change, Tinke
     return solve_modes(change, closed, laws);
 }
 
+/* What has reached the limit of sticking slips, but where no motion has it do so: then it is asked like any other that
+ * has no speed. Answers whether that is anything. */
+static gboolean free_limits(const TinkerContactChange *change, const TinkerContactLaws *laws)
+{
+    gboolean any = FALSE;
+    for (guint i = 0; i < laws->count; i++) {
+        if (laws->sliding[i] == 0 || limit_of(change, tinker_touch(change, i)) == 0) continue;
+        laws->sliding[i] = 0;
+        laws->first[i] = tinker_touch_surface(change, i).static_friction;
+        laws->second[i] = tinker_touch_surface(change, i).dynamic_friction;
+        tinker_touch(change, i)->contact.at_limit = FALSE;
+        any = TRUE;
+    }
+    return any;
+}
+
 static TinkerContactResult ask_modes(TinkerContactChange *change, TinkerContactLaws *laws, double scale)
 {
     for (guint i = 0; i < laws->count; i++) {
@@ -210,6 +226,8 @@ static TinkerContactResult ask_modes(TinkerContactChange *change, TinkerContactL
     TinkerContactResult result = TINKER_CONTACT_NO_ACCELERATION;
     if (!change->jams) result = solve_limits(change, &closed, laws);
     if (!change->jams && result == TINKER_CONTACT_NO_ACCELERATION && ask_slow(change, laws))
+        result = solve_modes(change, &closed, laws);
+    if (!change->jams && result == TINKER_CONTACT_NO_ACCELERATION && free_limits(change, laws))
         result = solve_modes(change, &closed, laws);
     if (result != TINKER_CONTACT_NO_ACCELERATION) return result;
     g_autofree double *velocity = g_try_new(double, 2 * laws->count);
