@@ -17,7 +17,8 @@
 
 struct TinkerDenseSolve {
     int32_t n;
-    gboolean full;  /* rank, of the matrix taken last */
+    gboolean full; /* rank, of the matrix taken last */
+    double dependent;
     double *matrix; /* by rows; or its factors */
     double *given;  /* of a singular one: by columns */
     double *trial;  /* of one with a small pivot, for its rank */
@@ -32,6 +33,7 @@ TinkerDenseSolve *tinker_dense_solve_new(int32_t n)
     TinkerDenseSolve *solve = g_new0(TinkerDenseSolve, 1);
     gsize size = (gsize)MAX(n, 1);
     solve->n = n;
+    solve->dependent = TINKER_DEPENDENT;
     solve->matrix = g_try_new0(double, size *size);
     solve->given = g_try_new0(double, size *size);
     solve->trial = g_try_new0(double, size *size);
@@ -51,6 +53,11 @@ void tinker_dense_solve_free(TinkerDenseSolve *solve)
     for (gsize i = 0; i < G_N_ELEMENTS(arrays); i++)
         g_free(arrays[i]);
     g_free(solve);
+}
+
+void tinker_dense_solve_set_dependent(TinkerDenseSolve *solve, double dependent)
+{
+    solve->dependent = dependent;
 }
 
 static void exchange_rows(double *a, int32_t n, int32_t i, int32_t k)
@@ -76,7 +83,7 @@ static gboolean has_full_rank(TinkerDenseSolve *solve, const double *matrix)
     const int32_t n = solve->n;
     memcpy(solve->trial, matrix, (gsize)n * (gsize)n * sizeof(double));
     memset(solve->work, 0, (gsize)n * sizeof(double));
-    return tinker_pivoted_solve(n, solve->trial, solve->work, solve->order, TINKER_DEPENDENT) == n;
+    return tinker_pivoted_solve(n, solve->trial, solve->work, solve->order, solve->dependent) == n;
 }
 
 int tinker_dense_solve_factor(TinkerDenseSolve *solve, const double *matrix)
@@ -93,7 +100,7 @@ int tinker_dense_solve_factor(TinkerDenseSolve *solve, const double *matrix)
         for (int32_t i = k + 1; i < n; i++)
             if (fabs(a[i * n + k]) > fabs(a[pivot * n + k])) pivot = i;
         least = fmin(least, fabs(a[pivot * n + k]));
-        if (!(least > TINKER_DEPENDENT * greatest)) return 0;
+        if (!(least > solve->dependent * greatest)) return 0;
         solve->pivots[k] = pivot;
         exchange_rows(a, n, k, pivot);
         for (int32_t i = k + 1; i < n; i++) {
@@ -138,7 +145,7 @@ void tinker_dense_solve(TinkerDenseSolve *solve, double *b)
     }
     const gsize n = (gsize)solve->n;
     memcpy(solve->matrix, solve->given, n * n * sizeof(double));
-    if (!tinker_least_norm(solve->n, solve->matrix, b, TINKER_DEPENDENT, solve->order, solve->work))
+    if (!tinker_least_norm(solve->n, solve->matrix, b, solve->dependent, solve->order, solve->work))
         memset(b, 0, n * sizeof(double));
 }
 

@@ -12,13 +12,17 @@ typedef struct TinkerDenseSolve TinkerDenseSolve;
 TinkerDenseSolve *tinker_dense_solve_new(int32_t n);
 void tinker_dense_solve_free(TinkerDenseSolve *solve);
 
+/* What a pivot or a singular value of the matrices taken from here on is at least, beside the largest, to count as more
+ * than 0; before, TINKER_DEPENDENT (rank.h). */
+void tinker_dense_solve_set_dependent(TinkerDenseSolve *solve, double dependent);
+
 /* Takes a matrix, n x n by rows. Answers 0 where its rank is not full. Allots nothing. */
 int tinker_dense_solve_factor(TinkerDenseSolve *solve, const double *matrix);
 
 /* Whether the rank of the matrix taken last was full; 0 before the first. */
 int tinker_dense_solve_is_full(const TinkerDenseSolve *solve);
 
-/* Solves for the matrix taken last, in place of b. Singular values below 1e-10 of the largest count as 0. Source:
+/* Solves for the matrix taken last, in place of b. Singular values that are dependent count as 0. Source:
  * LAPACK Users' Guide, xGELSY (Quintana-Orti, Sun, Bischof). Allots nothing. */
 void tinker_dense_solve(TinkerDenseSolve *solve, double *b);
 

@@ -180,6 +180,47 @@ void tinker_contacts_solve_moves(TinkerContacts *contacts)
     }
 }
 
+/* Twice is enough up to where W says nothing of the heavy bodies any more. */
+#define MOST_REFINEMENTS 3
+
+/* What the forces found so far leave of `asked`, into the demand: by the accelerations of the bodies, in which forces
+ * that cancel do so before they are divided by a small mass; W has them divided before. Answers whether any is left. */
+static gboolean measure_miss(TinkerContacts *contacts, const TinkerContactBlock *block, const double *asked)
+{
+    const TinkerContactRow *rows = (const TinkerContactRow *)(const void *)contacts->rows->data + block->first;
+    double *found = contacts->found + block->first, *miss = contacts->demand + block->first;
+    gboolean any = FALSE;
+    memset(contacts->column, 0, (gsize)contacts->model->coordinates * sizeof(double));
+    tinker_contacts_begin_pushes(contacts);
+    for (int32_t i = 0; i < block->count; i++)
+        tinker_contact_row_push(contacts, &rows[i], found[i] * rows[i].weight, FALSE, contacts->column);
+    tinker_contacts_end_pushes(contacts, contacts->column);
+    for (int32_t i = 0; i < block->count; i++) {
+        miss[i] = asked[i] - tinker_contact_row_times(contacts, &rows[i], contacts->column) * rows[i].weight;
+        any |= miss[i] != 0;
+    }
+    return any;
+}
+
+/* Solves for a block of uneven bodies: beside 1/m of a light body W has little left of 1/M of a heavy one that leans on
+ * it, so that what it gives is brought nearer by what that leaves. Source: N. J. Higham, "Accuracy and Stability of
+ * Numerical Algorithms", SIAM 2002, chapter 12: iterative refinement. */
+static void solve_uneven(TinkerContacts *contacts, TinkerContactBlock *block)
+{
+    const gsize bytes = (gsize)block->count * sizeof(double);
+    double *found = contacts->found + block->first, *left = contacts->demand + block->first;
+    double *asked = contacts->asked + block->first;
+    memcpy(asked, left, bytes);
+    tinker_dense_solve_near(block->solve[FALSE], contacts->base + block->first, left);
+    memcpy(found, left, bytes);
+    for (int pass = 0; pass < MOST_REFINEMENTS && measure_miss(contacts, block, asked); pass++) {
+        tinker_dense_solve(block->solve[FALSE], left);
+        for (int32_t i = 0; i < block->count; i++)
+            found[i] += left[i];
+    }
+    memcpy(left, found, bytes);
+}
+
 static void solve_forces(TinkerContacts *contacts)
 {
     eliminate_blocks(contacts, FALSE);
@@ -190,6 +231,8 @@ static void solve_forces(TinkerContacts *contacts)
         factor_block(contacts, block, FALSE);
         if (has_turning_pins(contacts, block))
             tinker_contact_pins_solve(contacts, block, contacts->demand + block->first);
+        else if (block->uneven)
+            solve_uneven(contacts, block);
         else
             tinker_dense_solve_near(block->solve[FALSE], contacts->base + block->first,
                                     contacts->demand + block->first);

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "numerics/solve/disjoint-sets.h"
+#include "numerics/solve/rank.h"
 #include "physics/contact/contacts-private.h"
 #include "physics/model/model-data.h"
 
@@ -139,6 +140,45 @@ static gboolean may_be_eliminated(const TinkerContacts *contacts, guint first, g
     return TRUE;
 }
 
+/* The lightest of the bodies that meet at a row (kg), and the heaviest. */
+static void find_masses(const TinkerContacts *contacts, const TinkerContactRow *row, double *lightest, double *heaviest)
+{
+    const TinkerContact *contact = tinker_contacts_closed(contacts, (guint)row->contact);
+    const TinkerTouchingPair *pair = contacts->plates[contact->plate].pair;
+    const int32_t points[] = {contact->body, pair != NULL ? pair->point[0] : contact->body,
+                              pair != NULL ? pair->point[1] : contact->body};
+    *lightest = INFINITY;
+    *heaviest = 0;
+    for (gsize k = 0; k < G_N_ELEMENTS(points); k++) {
+        if (points[k] >= contacts->model->bodies) continue;
+        *lightest = fmin(*lightest, contacts->model->mass[points[k]]);
+        *heaviest = fmax(*heaviest, contacts->model->mass[points[k]]);
+    }
+}
+
+/* Bodies whose masses differ so much that W loses digits: beside 1/m of a light one that of a heavy one that leans on
+ * it counts for little. Then W is scaled by the light ones, to about 1, and what is left of a row may be as much
+ * smaller as they are lighter without that it depends on others. */
+static void note_unevenness(TinkerContacts *contacts, TinkerContactBlock *block)
+{
+    double least = INFINITY, most = 0, lightest, heaviest;
+    for (int32_t i = block->first; i < block->first + block->count; i++) {
+        find_masses(contacts, &g_array_index(contacts->rows, TinkerContactRow, (guint)i), &lightest, &heaviest);
+        least = fmin(least, lightest);
+        most = fmax(most, heaviest);
+    }
+    block->uneven = most > TINKER_UNEVEN * least;
+    if (!block->uneven) return;
+    for (int32_t i = block->first; i < block->first + block->count; i++) {
+        TinkerContactRow *row = &g_array_index(contacts->rows, TinkerContactRow, (guint)i);
+        find_masses(contacts, row, &lightest, &heaviest);
+        row->weight = sqrt(lightest);
+    }
+    for (int moves = FALSE; moves <= TRUE; moves++)
+        tinker_dense_solve_set_dependent(block->solve[moves],
+                                         fmax(TINKER_DEPENDENT * (least / most), TINKER_UNEVEN_DEPENDENT));
+}
+
 /* Rows that may be eliminated are of bodies that constraints alone join: what touches besides has entries. FALSE: no
  * memory. */
 static gboolean add_block(TinkerContacts *contacts, guint first, guint count)
@@ -157,8 +197,10 @@ static gboolean add_block(TinkerContacts *contacts, guint first, guint count)
     }
     for (int moves = FALSE; moves <= TRUE; moves++)
         block.solve[moves] = tinker_dense_solve_new(block.count);
+    const gboolean enough = block.solve[FALSE] != NULL && block.solve[TRUE] != NULL;
+    if (enough && block.held) note_unevenness(contacts, &block);
     g_array_append_val(contacts->blocks, block);
-    return block.solve[FALSE] != NULL && block.solve[TRUE] != NULL;
+    return enough;
 }
 
 /* Rows of one set stand together and are solved together. Answers the entries of all their matrices, at least 1; 0: no
@@ -224,7 +266,8 @@ static gboolean allot_rows(TinkerContacts *contacts)
     const gsize rows = contacts->rows->len, entries = rows > 0 ? find_blocks(contacts) : 1;
     if (rows == 0) return TRUE;
     if (entries == 0 || !make_room(&contacts->delassus, entries) || !make_room(&contacts->demand, rows) ||
-        !make_room(&contacts->base, rows) || !make_room(&contacts->found, rows) || !make_equations(contacts, rows))
+        !make_room(&contacts->base, rows) || !make_room(&contacts->found, rows) || !make_room(&contacts->asked, rows) ||
+        !make_equations(contacts, rows))
         return FALSE;
     if (contacts->pin_count > 0 && !allot_pins(contacts, rows, entries)) return FALSE;
     list_equations(contacts);

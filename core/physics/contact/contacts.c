@@ -241,6 +241,7 @@ void tinker_contacts_free(TinkerContacts *contacts)
                          contacts->acts,
                          contacts->base,
                          contacts->found,
+                         contacts->asked,
                          contacts->eliminations[0],
                          contacts->eliminations[1],
                          contacts->equations[FALSE],

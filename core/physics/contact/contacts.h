@@ -130,7 +130,8 @@ typedef struct {
     TinkerDenseSolve *solve[2]; /* W with the directions of the rows' forces; with those of the rows themselves */
     gboolean factored[2];
     TinkerContactElimination *elimination; /* in place of W where there are many rows; borrowed */
-    gboolean full;                         /* its forces are determined */
+    gboolean uneven; /* bodies of very different masses touch: W has lost some of what it says of the heavy ones */
+    gboolean full;   /* its forces are determined */
 } TinkerContactBlock;
 
 /* What friction of pins is solved with; allotted with the rows where there are pins. */
@@ -185,7 +186,7 @@ struct _TinkerContacts {
     GArray *blocks;                          /* of TinkerContactBlock */
     GPtrArray *eliminated;                   /* of TinkerContactElimination: those of blocks that have one; borrowed */
     double *delassus;                        /* of each block that is solved by it, rows x rows */
-    double *demand, *base, *found;           /* of all rows; of all rows; of all rows */
+    double *demand, *base, *found, *asked;   /* of all rows */
     TinkerContactEquation *equations[2];     /* of all rows, as the blocks have them: for forces; for moves */
     double *column, *accelerations, *before; /* 2 per body */
     double *acts;                            /* by coordinate: the magnitudes of what accelerates it, added up */

@@ -22,6 +22,12 @@
 /* No unit; of a force along one of its rows: what the other rows of joints leave of it, where they hold the same, so
  * that the pin's share is not determined. Held by: -. */
 #define TINKER_SHARED_PIN 1e-6
+/* No unit: bodies that touch one another and whose masses differ by more are uneven: what solves for their forces by W
+ * is looked at again by the bodies. Held by: physics-contact-uneven. */
+#define TINKER_UNEVEN 30.0
+/* No unit; of the largest entry of a scaled W: smaller pivots of uneven bodies are rounding. Held by:
+ * physics-contact-uneven. */
+#define TINKER_UNEVEN_DEPENDENT 1e-14
 /* No unit; of what a pull moves along a row of its own, were there no other: where other constraints leave less of it,
  * they hold the row. Held by: physics-ropes. */
 #define TINKER_ROW_HELD 1e-12

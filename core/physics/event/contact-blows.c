@@ -204,13 +204,16 @@ static gboolean approaches(const TinkerContactChange *change, double share)
 }
 
 /* A rebound that would be too slow to be seen is none: else infinitely many follow. Newton's law knows none either of
- * what did not approach before a blow. */
+ * what did not approach before a blow. Of blows that follow on one another by turns each takes a
+ * share of what is left of the speeds that close: infinitely many leave none, as one without rebound does, since all of
+ * them act along the same directions. */
 static double seen_restitution(const TinkerContactChange *change, guint number)
 {
     if (change->trigger.kind == TINKER_TRIGGER_BLOW) return 0;
     double e = tinker_touch_surface(change, number).restitution,
            approach = -tinker_touch(change, number)->place.normal_speed;
-    return e * approach < least_rebound(change, number) ? 0 : e;
+    const gboolean unseen = e * approach < least_rebound(change, number);
+    return unseen || (change->rattles && e < 1) ? 0 : e;
 }
 
 /* Whether something goes on closing after the impact. */

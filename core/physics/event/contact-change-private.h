@@ -19,6 +19,7 @@ typedef struct {
     gboolean held; /* a row that neither anything acting nor anything prescribed can move: its speed is rounding */
     gboolean struck;
     gboolean slows;   /* it slides, and what acted up to an event of a speed slowed it down */
+    gboolean begins;  /* it had no speed along, by which it was known to slide: its mode is what the laws made of it */
     gboolean at_end;  /* of the top: it ends unless something stops the body there */
     gboolean leaves;  /* it has just opened, and is asked for impulses alone: a blow may throw it back */
     gboolean dropped; /* on its way out of the list */
@@ -40,6 +41,8 @@ typedef struct {
     GArray *told;     /* of TinkerToldEvent: two corners of one pair that do the same are one event */
     gboolean apart;   /* only what leans on the trigger's body shares its load anew (contact-shares.c) */
     gboolean forced;  /* what was found to reach the limit of sticking slips, whatever the laws could share otherwise */
+    gboolean jams;    /* forces have grown beyond all bounds up to here: an impulse is to end that */
+    gboolean rattles; /* what is met has struck by turns with others without end, within no time (contact-turns.c) */
     double tolerance; /* m: within it a gap is closed */
     double speed, slow;   /* m/s: the largest; the share of it that is still */
     GArray *alternatives; /* of TinkerAlternative: of the impact, where the laws differ; else NULL. Owned */

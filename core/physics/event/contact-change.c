@@ -257,6 +257,8 @@ static gboolean change_group(TinkerContactRun *self, const TinkerTrigger *trigge
         .contacts = self->contacts,
         .acceleration = self->force,
         .trigger = *trigger,
+        .jams = self->jams,
+        .rattles = tinker_contact_run_strikes_by_turns(self, trigger),
         .group = group,
         .touches = g_array_new(FALSE, TRUE, sizeof(TinkerTouch)),
         .told = g_array_new(FALSE, FALSE, sizeof(TinkerToldEvent)),
@@ -322,10 +324,10 @@ gboolean tinker_contact_run_change(TinkerContactRun *self, const TinkerTrigger *
 {
     double reach = fmax(tolerance, 2 * TINKER_TOUCHING); /* of the other side of a guide */
     note_instant(self);
-    tinker_contact_run_note_turn(self, trigger);
     if (tinker_model_set_time(self->model, self->run->state.t) != TINKER_OK)
         return tinker_island_run_fail(self->run, self->model->failure, error);
     tinker_model_set_state(self->model, self->run->state.q, self->run->state.v);
+    tinker_contact_run_note_turn(self, trigger);
     if (trigger->kind == TINKER_TRIGGER_GAP && trigger->row < 0)
         reach += 2 * fabs(tinker_contact_place(self->contacts, trigger->body, trigger->plate).gap);
     tinker_contact_run_find_near(self, self->run->state.q, self->run->state.q, reach);
@@ -335,6 +337,31 @@ gboolean tinker_contact_run_change(TinkerContactRun *self, const TinkerTrigger *
     for (int32_t group = 0; group < self->model->bodies; group++)
         if (asked[group] && !change_group(self, trigger, group, tolerance, slow, error)) return FALSE;
     return TRUE;
+}
+
+/* Whether anything slides with friction. */
+static gboolean rubs(const TinkerContacts *contacts)
+{
+    for (guint i = 0; i < contacts->closed->len; i++) {
+        const TinkerContact *contact = tinker_contacts_closed(contacts, i);
+        if (contact->mode != TINKER_CONTACT_STICK && contact->friction != 0) return TRUE;
+    }
+    return FALSE;
+}
+
+gboolean tinker_contact_run_jam(TinkerContactRun *self)
+{
+    const TinkerTrigger none = {.kind = TINKER_TRIGGER_NONE, .row = -1};
+    const double t = self->run->state.t, before = self->last_impact;
+    g_autoptr(GError) error = NULL;
+    if (self->jammed == t || !tinker_method_is_adaptive(self->run->choice.method) || !rubs(self->contacts))
+        return FALSE;
+    self->jammed = t;
+    self->jams = TRUE;
+    const gboolean done = tinker_contact_run_change(self, &none, tinker_contact_run_closed_gap(self), 0, &error);
+    self->jams = FALSE;
+    tinker_method_restart(self->run->choice.method, self->run->stepper);
+    return done && (self->last_impact == t && before != t);
 }
 
 /* Whether an impact at this instant threw something at what it touches, so that it approaches that only now. */

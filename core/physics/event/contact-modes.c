@@ -194,6 +194,22 @@ static TinkerContactResult solve_limits(const TinkerContactChange *change, Tinke
     return solve_modes(change, closed, laws);
 }
 
+/* What has reached the limit of sticking slips, but where no motion has it do so: then it is asked like any other that
+ * has no speed. Answers whether that is anything. */
+static gboolean free_limits(const TinkerContactChange *change, const TinkerContactLaws *laws)
+{
+    gboolean any = FALSE;
+    for (guint i = 0; i < laws->count; i++) {
+        if (laws->sliding[i] == 0 || limit_of(change, tinker_touch(change, i)) == 0) continue;
+        laws->sliding[i] = 0;
+        laws->first[i] = tinker_touch_surface(change, i).static_friction;
+        laws->second[i] = tinker_touch_surface(change, i).dynamic_friction;
+        tinker_touch(change, i)->contact.at_limit = FALSE;
+        any = TRUE;
+    }
+    return any;
+}
+
 static TinkerContactResult ask_modes(TinkerContactChange *change, TinkerContactLaws *laws, double scale)
 {
     for (guint i = 0; i < laws->count; i++) {
@@ -207,8 +223,12 @@ static TinkerContactResult ask_modes(TinkerContactChange *change, TinkerContactL
         (int32_t)laws->count,       laws->delassus, laws->pairs, laws->sliding, laws->first, laws->second,
         TINKER_FORCE_NOISE * scale, laws->motion,   laws->bearer};
     if (tinker_contact_run_goes_by_turns(change->run, &change->trigger)) ask_slow(change, laws);
-    TinkerContactResult result = solve_limits(change, &closed, laws);
-    if (result == TINKER_CONTACT_NO_ACCELERATION && ask_slow(change, laws)) result = solve_modes(change, &closed, laws);
+    TinkerContactResult result = TINKER_CONTACT_NO_ACCELERATION;
+    if (!change->jams) result = solve_limits(change, &closed, laws);
+    if (!change->jams && result == TINKER_CONTACT_NO_ACCELERATION && ask_slow(change, laws))
+        result = solve_modes(change, &closed, laws);
+    if (!change->jams && result == TINKER_CONTACT_NO_ACCELERATION && free_limits(change, laws))
+        result = solve_modes(change, &closed, laws);
     if (result != TINKER_CONTACT_NO_ACCELERATION) return result;
     g_autofree double *velocity = g_try_new(double, 2 * laws->count);
     if (velocity == NULL) return TINKER_CONTACT_NO_MEMORY;
@@ -238,6 +258,7 @@ static void note_modes(TinkerContactChange *change, const TinkerContactLaws *law
         double mass = change->model->mass[at->contact.body];
         const guint bearer = tinker_touch_bearer(change, i);
         at->contact.mode = laws->modes[i];
+        at->begins = laws->sliding[i] == 0;
         at->contact.at_limit &= laws->modes[i] != TINKER_CONTACT_OPEN && laws->modes[i] != TINKER_CONTACT_STICK;
         if (bearer != i) {
             const gboolean open = tinker_touch(change, bearer)->contact.mode == TINKER_CONTACT_OPEN;
@@ -272,6 +293,7 @@ gboolean tinker_change_decide(TinkerContactChange *change, GError **error)
             return TRUE;
         }
         if (result != TINKER_CONTACT_NO_ACCELERATION) break;
+        change->jams = FALSE;
         tinker_change_add_event(change, "jam", tinker_touch(change, 0));
         if (!tinker_change_push_all(change, laws.answers))
             return tinker_change_refuse(change, change->model->failure, error);

@@ -123,6 +123,8 @@ struct _TinkerContactRun {
     gsize closed_room;
     TinkerContactNeighbours neighbours;
     double changed;  /* s: when something changed last */
+    double jammed;   /* s: when forces grew beyond all bounds last; NAN: never */
+    gboolean jams;   /* they do so now */
     guint at_once;   /* changes before, at the same instant */
     double *quiet_x; /* coordinates of the system, where ... */
     double quiet;    /* ... no plate was nearer to any body than this; 0 where one moves */
@@ -227,6 +229,9 @@ gboolean tinker_contact_run_leaves(const TinkerContactRun *contact_run, const Ti
 GArray *tinker_contact_turns_new(void);
 void tinker_contact_run_note_turn(TinkerContactRun *contact_run, const TinkerTrigger *trigger);
 gboolean tinker_contact_run_goes_by_turns(const TinkerContactRun *contact_run, const TinkerTrigger *trigger);
+/* Whether what is met strikes so often within no time that the blows have no end: a body between two that close on it.
+ */
+gboolean tinker_contact_run_strikes_by_turns(const TinkerContactRun *contact_run, const TinkerTrigger *trigger);
 
 void tinker_contact_flight_init(TinkerContactFlight *flight, const TinkerContactRun *contact_run, gboolean exact);
 void tinker_contact_flight_clear(TinkerContactFlight *flight);

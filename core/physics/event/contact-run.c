@@ -69,6 +69,7 @@ TinkerContactRun *tinker_contact_run_new(TinkerIslandRun *run)
         .hint = INFINITY,
         .crowd_began = -INFINITY,
         .end_time = NAN,
+        .jammed = NAN,
         .looked_time = NAN,
         .start.at.t = NAN,
     };

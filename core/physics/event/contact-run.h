@@ -35,6 +35,11 @@ TinkerStatus tinker_contact_run_begin(TinkerContactRun *contact_run, double *lim
 /* After the step: looks for the first event in it, and where there is one steps again, to that instant. */
 TinkerStatus tinker_contact_run_look(TinkerContactRun *contact_run, TinkerStepReport *report);
 
+/* After a step that failed at its start: forces of what slides may have grown beyond all bounds there, as the equations
+ * of sliding bodies do in finite time where those become singular (Painleve). Ends the sliding by an impulse, as of a
+ * jam. FALSE: nothing jams there, and the step failed for another cause. */
+gboolean tinker_contact_run_jam(TinkerContactRun *contact_run);
+
 /* How a body has been turned by what it touched (rad); NAN: as it was placed. */
 double tinker_contact_run_orientation(TinkerContactRun *contact_run, int32_t body, double t);
 

@@ -15,10 +15,37 @@
 /* Of the limit of sticking. */
 #define SHORT_OF_SLIPPING 0.99
 
-static gboolean keeps_laws(const TinkerContacts *contacts, const TinkerContact *contact)
+/* Whether it had no speed along before the laws were asked. */
+static gboolean begins_now(const TinkerContactChange *change, const TinkerContact *contact)
 {
-    double most = tinker_contact_surface(contacts, contact->body, contact->plate).static_friction * contact->normal;
-    return contact->normal >= 0 && (contact->mode != TINKER_CONTACT_STICK || fabs(contact->friction) <= most);
+    for (guint i = 0; i < change->touches->len; i++) {
+        const TinkerTouch *at = tinker_touch(change, i);
+        if (at->row < 0 && at->contact.body == contact->body && at->contact.plate == contact->plate) return at->begins;
+    }
+    return FALSE;
+}
+
+/* Whether what begins to slip goes the way that its friction is against, by the accelerations worked out last: where
+ * another share of the load moves it the other way, that is none of this motion. */
+static gboolean slips_as_said(const TinkerContactChange *change, const TinkerContact *contact)
+{
+    const double pushes =
+        (fabs(contact->normal) + fabs(contact->friction)) * change->model->inverse_mass[contact->body];
+    double along[2];
+    if (contact->friction == 0 || !begins_now(change, contact)) return TRUE;
+    tinker_contacts_relative_acceleration(change->contacts, contact, change->run->force, along);
+    const double forward = contact->mode == TINKER_CONTACT_SLIP_FORWARD ? along[1] : -along[1];
+    return forward >= -TINKER_FORCE_NOISE * pushes;
+}
+
+static gboolean keeps_laws(const TinkerContactChange *change, const TinkerContact *contact)
+{
+    const TinkerContacts *contacts = change->contacts;
+    const double most =
+        tinker_contact_surface(contacts, contact->body, contact->plate).static_friction * contact->normal;
+    if (!(contact->normal >= 0)) return FALSE;
+    if (contact->mode == TINKER_CONTACT_STICK) return fabs(contact->friction) <= most;
+    return contact->at_limit || slips_as_said(change, contact);
 }
 
 /* Whether the load of this closed contact is shared anew. */
@@ -66,7 +93,7 @@ static gboolean try_share(TinkerContactChange *change, void (*share)(TinkerConta
     tinker_contacts_take_shares(contacts);
     gboolean keeps = tinker_contact_run_look_at(change->run, state->t, state->q, state->v, NULL) == TINKER_OK;
     for (guint i = 0; keeps && i < contacts->closed->len; i++)
-        if (is_asked(change, &kept[i])) keeps = keeps_laws(contacts, tinker_contacts_closed(contacts, i));
+        if (is_asked(change, &kept[i])) keeps = keeps_laws(change, tinker_contacts_closed(contacts, i));
     if (keeps) return TRUE;
     memcpy(contacts->closed->data, kept, contacts->closed->len * sizeof(TinkerContact));
     tinker_contacts_take_shares(contacts);
@@ -96,7 +123,7 @@ static gboolean presses_all(TinkerContactChange *change, double least)
     for (guint i = 0; all && i < contacts->closed->len; i++) {
         const TinkerContact *contact = tinker_contacts_closed(contacts, i);
         if (!is_asked(change, contact) || tinker_contacts_is_pin(contacts, contact)) continue;
-        all = keeps_laws(contacts, contact) && contact->normal >= 0.5 * least;
+        all = keeps_laws(change, contact) && contact->normal >= 0.5 * least;
     }
     return all;
 }

@@ -185,7 +185,11 @@ static void take_open(TinkerContactChange *change, double tolerance)
         double near = guided ? fmax(tolerance, 2 * TINKER_TOUCHING) : tolerance;
         gboolean closed = is_closed(change, &taken, near) &&
                           tinker_contact_is_over(self->contacts, pair->plate, &taken.place, tolerance);
-        if (closed || meets_now(change, &taken)) add_touch(change, &taken);
+        const gboolean meets = closed || meets_now(change, &taken);
+        /* what it was thrown away from within no time; take_leaving() takes what is watched as leaving */
+        taken.leaves =
+            change->rattles && !meets && fabs(taken.place.gap) <= tolerance && !tinker_contact_run_leaves(self, pair);
+        if (meets || taken.leaves) add_touch(change, &taken);
     }
 }
 

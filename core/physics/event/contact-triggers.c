@@ -284,13 +284,42 @@ void tinker_contact_run_note_force_scales(TinkerContactRun *self)
     }
 }
 
+/* The magnitudes of all that accelerates a body along the plane by the forces worked out last, those of contacts
+ * included, added up; 0 of a support. */
+static double acts_on(const TinkerContactRun *self, int32_t body)
+{
+    const TinkerContacts *contacts = self->contacts;
+    if (contacts->entries->len == 0 || body >= self->model->bodies) return 0;
+    return contacts->acts[2 * body] + contacts->acts[2 * body + 1];
+}
+
+/* The other body or support that shapes of a trigger are of; the same body where it is a top as masses meet it. */
+static int32_t other_point(const TinkerContactRun *self, const TinkerTrigger *trigger)
+{
+    const TinkerTouchingPair *pair = trigger->row < 0 ? self->contacts->plates[trigger->plate].pair : NULL;
+    if (pair == NULL) return trigger->body;
+    return pair->point[0] == trigger->body ? pair->point[1] : pair->point[0];
+}
+
+/* What presses on the two bodies besides, beside which the force of a contact that opens and closes again and again is
+ * rounding; and what that accelerates them by. */
+static double loads_of_both(const TinkerContactRun *self, const TinkerTrigger *trigger)
+{
+    const int32_t other = other_point(self, trigger);
+    double sum = acts_on(self, trigger->body) * self->model->mass[trigger->body];
+    if (other < self->model->bodies && other != trigger->body) sum += acts_on(self, other) * self->model->mass[other];
+    return sum;
+}
+
 static double acceleration_scale(const TinkerContactRun *self, const TinkerTrigger *trigger)
 {
     int32_t k = 2 * trigger->body;
     double scale = 0;
+    if (tinker_contact_run_repeats(self))
+        scale = acts_on(self, trigger->body) + acts_on(self, other_point(self, trigger));
     if (trigger->row < 0) {
         const double *base = self->model->point_acceleration + 2 * self->contacts->plates[trigger->plate].point;
-        scale = fabs(base[0]) + fabs(base[1]);
+        scale += fabs(base[0]) + fabs(base[1]);
     }
     return scale + fabs(self->model->constant_acceleration[k]) + fabs(self->model->constant_acceleration[k + 1]) +
            (fabs(self->model->force[k]) + fabs(self->model->force[k + 1])) * self->model->inverse_mass[trigger->body];
@@ -325,6 +354,8 @@ double tinker_trigger_level(const TinkerContactRun *self, const TinkerTrigger *t
     default:
         if (trigger->row >= 0)
             return -TINKER_FORCE_ROUNDING * self->model->mass[trigger->body] * acceleration_scale(self, trigger);
+        if (tinker_contact_run_repeats(self))
+            return -force_noise(self) * fmax(self->force_scale[trigger->closed], loads_of_both(self, trigger));
         return -force_noise(self) * self->force_scale[trigger->closed];
     }
 }

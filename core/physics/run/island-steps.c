@@ -132,16 +132,24 @@ static TinkerStatus make_step(TinkerIslandRun *run, double limit, TinkerStepRepo
     return tinker_law_watch_step(run->laws, limit, report);
 }
 
-/* One step of the method, that ends where contacts change. */
-static TinkerStatus step_to_contact(TinkerIslandRun *run, double limit, TinkerStepReport *report)
+static TinkerStatus step_with_contacts(TinkerIslandRun *run, double limit, TinkerStepReport *report)
 {
-    if (run->contacts == NULL) return make_step(run, limit, report);
     TinkerStatus status = tinker_contact_run_begin(run->contacts, &limit);
     if (status != TINKER_OK) return status;
     if (run->aside.method != NULL && !(run->choice.method->flags & TINKER_INTEGRATOR_LINEAR))
         tinker_island_run_name_method(run);
     status = make_step(run, limit, report);
     return status == TINKER_OK ? tinker_contact_run_look(run->contacts, report) : status;
+}
+
+/* One step of the method, that ends where contacts change. */
+static TinkerStatus step_to_contact(TinkerIslandRun *run, double limit, TinkerStepReport *report)
+{
+    if (run->contacts == NULL) return make_step(run, limit, report);
+    const double from = run->state.t;
+    TinkerStatus status = step_with_contacts(run, limit, report);
+    const gboolean again = status != TINKER_OK && run->state.t == from && tinker_contact_run_jam(run->contacts);
+    return again ? step_with_contacts(run, limit, report) : status;
 }
 
 /* One step, that ends where contacts change or a line's direction is lost. */

@@ -1,0 +1,58 @@
+/* Bodies that lean on one another with friction: forces that grow beyond all bounds, and loads that nothing divides. */
+#include "contact-checks.h"
+
+#include <math.h>
+
+/* A light box is caught between a plate that cannot yield and a heavy box that rolls over it. Its friction wedges: the
+ * forces grow as a power of the time that is left, and an impulse ends it. Impulses step by step, which know no forces,
+ * converge to the same motion. */
+static void test_grows_beyond_bounds(void)
+{
+    static const char *const blocks = CONTACT_WEIGHT CONTACT_FLOOR
+        ", 'width': 3}, {'type': 'plate', 'mass': 0.047706419181337757, 'position': [-0.12123753735986487, "
+        "0.20824763398465782], 'corners': [[-0.33169697247781615, -0.20824763398465773], [0.33169697247781615, "
+        "-0.20824763398465773], [0.21723624790437485, 0.2393584731178004], [-0.21723624790437485, "
+        "0.2393584731178004]]}, {'type': 'box', 'name': 'Light', 'mass': 0.034209093444719257, 'width': "
+        "0.4792963481756185, 'height': 0.5171999126144271, 'position': [-0.14179869305577597, 0.80016748281177663], "
+        "'orientation': -0.75412818652027003, 'velocity': [-0.22273300863634821, 0.0015031433686202014], "
+        "'angular_velocity': 0.63175669254248712}, {'type': 'box', 'name': 'Heavy', 'mass': 3.9600838742137774, "
+        "'width': 0.30327694493006552, 'height': 0.55290286431225288, 'position': [-0.070291979538304517, "
+        "1.2910305966315847], 'orientation': 0.91072995148915425, 'velocity': [0.79457352664786463, "
+        "-1.4675928852193689], 'angular_velocity': 13.291832353928454}";
+    PhysicsOptions options = {.method = "dop853", .tolerance = 1e-11, .duration = 0.03};
+    g_autoptr(PhysicsRun) run = physics_run(&options, "%s", blocks);
+    contact_assert_count(run, "jam", 1);
+    g_assert_cmpfloat(run->summary->energy_balance_error, <=, 1e-9);
+    contact_check_converges(blocks, "Heavy.x, Heavy.y, Light.x, Light.y", 0.03, 1e-3, 10);
+}
+
+/* Discs in a pyramid, which a spring draws askew: the load has many shares, and with which of them contacts slip is
+ * none of the choices that the motion leaves open. The run comes to its end, and its books close. */
+static void test_pyramid(void)
+{
+    PhysicsOptions options = {.method = "dop853", .tolerance = 1e-9, .duration = 1, .columns = "Disc 10.x"};
+    g_autoptr(GString) blocks = g_string_new(CONTACT_WEIGHT CONTACT_FLOOR
+                                             ", 'width': 20, 'static_friction': 0.5237, 'dynamic_friction': 0.5237}");
+    int number = 0;
+    for (int row = 4; row >= 1; row--)
+        for (int i = 0; i < row; i++)
+            g_string_append_printf(blocks,
+                                   ", {'type': 'disc', 'name': 'Disc %d', 'radius': 0.3, 'position': [%.17g, %.17g]}",
+                                   ++number, (i - (row - 1) / 2.0) * 0.6, 0.3 + (4 - row) * 0.3 * sqrt(3));
+    g_string_append(blocks, ", {'type': 'support', 'name': 'Hook', 'solid': false, 'position': [0.0317, 4.8588]},"
+                            "{'type': 'spring', 'ends': ['Hook', 'Disc 10'], 'stiffness': 20, 'rest_length': 3.0819}");
+    g_autoptr(PhysicsRun) run = physics_run(&options, "%s", blocks->str);
+    g_assert_cmpfloat(run->summary->energy_balance_error, <=, 1e-9);
+    g_assert_cmpfloat(run->summary->books[TINKER_BOOK_FRICTION], <=, 0);
+}
+
+static void add_tests(void)
+{
+    g_test_add_func("/contact-wedged/grows-beyond-bounds", test_grows_beyond_bounds);
+    g_test_add_func("/contact-wedged/pyramid", test_pyramid);
+}
+
+int main(int argc, char **argv)
+{
+    return physics_main(argc, argv, add_tests);
+}
