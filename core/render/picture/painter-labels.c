@@ -91,6 +91,14 @@ static double place_cost(const Labels *labels, const TinkerNamed *named, int num
     return 10 * text + drawing + crosses + tinker_named_free_cost(named, number);
 }
 
+/* What a name may cover of drawings before it leaves its place. A far one is a makeshift: it is left as soon as there
+ * is room beside the body, which then is kept. */
+static double keeps(const TinkerNamed *named, int place)
+{
+    if (named->is_connector) return KEEPS_CONNECTOR;
+    return tinker_named_is_far(named, place) ? 0 : KEEPS;
+}
+
 /* The cheapest of the places, of which there is one; the one of the picture before, `kept`, stays unless something has
  * come into its way. */
 static int choose_place(const Labels *labels, const TinkerNamed *named, int kept, double best[4])
@@ -98,7 +106,7 @@ static int choose_place(const Labels *labels, const TinkerNamed *named, int kept
     int chosen = 0, places = tinker_named_places(named);
     double least = INFINITY;
     if (kept >= 0 && kept < places) {
-        least = place_cost(labels, named, kept, best) - (named->is_connector ? KEEPS_CONNECTOR : KEEPS);
+        least = place_cost(labels, named, kept, best) - keeps(named, kept);
         chosen = kept;
     }
     /* What follows costs more than a place that is free. */
