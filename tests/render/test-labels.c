@@ -246,6 +246,29 @@ static void test_far_name_comes_back(void)
     test_stage_close(&stage);
 }
 
+/* A disc and a plate declare neither width nor height. Their names stand above them as
+ * near as that of a box of the same size, at least. */
+static void test_round(void)
+{
+    static const char *const blocks[] = {"\"mass\", \"width\": 2, \"height\": 2", "\"disc\", \"radius\": 1",
+                                         "\"plate\", \"corners\": [[-1, -1], [1, -1], [1, 1], [-1, 1]]"};
+    const double top = TEST_STAGE_HEIGHT / 2 - 50; /* at 50 pixels a metre */
+    double below = 0;
+    for (gsize i = 0; i < G_N_ELEMENTS(blocks); i++) {
+        g_autofree char *block = g_strdup_printf("{\"name\": \"Body\", \"position\": [0, 0], \"type\": %s}", blocks[i]);
+        TestStage stage;
+        test_stage_open(&stage, block);
+        stage.options.show_labels = TRUE;
+        test_stage_paint(&stage);
+        const TinkerWrittenText *name = test_stage_text(&stage, "Body");
+        g_assert_nonnull(name);
+        if (i == 0) below = name->box[3];
+        g_assert_cmpfloat(name->box[3], >=, below);
+        g_assert_cmpfloat(name->box[3], <=, top);
+        test_stage_close(&stage);
+    }
+}
+
 /* Connectors have names where there are few blocks; among many, bodies alone have. */
 static void test_nets(void)
 {
@@ -355,6 +378,7 @@ static void add_tests(void)
     g_test_add_func("/render/labels/measures", test_measures);
     g_test_add_func("/render/labels/pivot", test_pivot);
     g_test_add_func("/render/labels/steady", test_steady);
+    g_test_add_func("/render/labels/round", test_round);
     g_test_add_func("/render/labels/far-name-comes-back", test_far_name_comes_back);
     g_test_add_func("/render/labels/nets", test_nets);
     g_test_add_func("/render/labels/leaders", test_leaders);

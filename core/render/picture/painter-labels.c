@@ -50,8 +50,14 @@ static void take_piece(Labels *labels, const TinkerPiece *piece)
         double dx = half * cos(angle), dy = -half * sin(angle);
         tinker_occupancy_take_line(&labels->map, x1 - dx, y1 - dy, x1 + dx, y1 + dy, thin, TINKER_TAKEN_BY_DRAWING);
     } else {
+        const TinkerStyle *style = &labels->picture->brush.style;
+        const gboolean is_body = piece->kind == TINKER_PIECE_BODY && fmax(piece->width, piece->height) <= 0;
+        const double margin = is_body ? tinker_drawing_margin(style) : 0; /* room for marks, of which it has none */
         double box[4];
-        if (!tinker_piece_box(piece, &labels->picture->brush.style, box)) return;
+        if (!tinker_piece_box(piece, style, box)) return;
+        if (fmin(box[2] - box[0], box[3] - box[1]) > 2 * margin)
+            for (int side = 0; side < 4; side++)
+                box[side] += side < 2 ? margin : -margin;
         tinker_view_to_canvas(view, box[0], box[3], &x1, &y1);
         tinker_view_to_canvas(view, box[2], box[1], &x2, &y2);
         tinker_occupancy_take_box(&labels->map, (double[]){x1, y1, x2, y2}, TINKER_TAKEN_BY_DRAWING);
