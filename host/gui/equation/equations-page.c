@@ -179,8 +179,8 @@ static void show_rows(TinkerEquationsPage *page, const TinkerModelResult *result
         add_line(page, box, line, g_ptr_array_index(spoken, i));
     }
     if (shown->len == 0) add_label(page->rows, _("Nothing in this scene can move."), "dim-label");
-    if (result->bodies[0] == TINKER_NO_BLOCK && result->equations->bodies->len > MOST_BODIES)
-        add_label(page->rows, _("Select bodies to see theirs."), "dim-label");
+    if (result->bodies[0] == TINKER_NO_BLOCK && result->equations->bodies->len > 0)
+        add_label(page->rows, _("Select bodies to see theirs alone, with a free-body diagram and books."), "dim-label");
 }
 
 /* Whether the form that is chosen has an equation. */
