@@ -72,12 +72,24 @@ static void test_captions(void)
     g_assert_cmpstr(swings, ==, "Mode 2, sideways: ω₀ = 2 rad/s, f = 0.3183 Hz, T = 3.142 s");
 }
 
+/* 1 kg on 25 N/m and 3 N s/m: ζ = c / (2 √(k m)) = 0.3, and it swings with 5 rad/s √(1 - ζ²) = 4.7697 rad/s. */
+static void test_damped_caption(void)
+{
+    g_autoptr(ModesFixture) a = modes_about_rest("{'type': 'support'}, {'type': 'mass', 'position': [1, 0]},"
+                                                 "{'type': 'spring', 'ends': ['Support 0', 'Mass 0'], 'stiffness': 25},"
+                                                 "{'type': 'damper', 'ends': ['Support 0', 'Mass 0'], 'damping': 3}");
+    g_autofree char *swings = tinker_mode_caption(a->analysis, modes_at(a, 1), 2);
+    g_assert_cmpstr(swings, ==,
+                    "Mode 2, sideways: ω₀ = 5 rad/s, damping ratio 0.3; damped: f = 0.7591 Hz, T = 1.317 s");
+}
+
 static void add_tests(void)
 {
     g_test_add_func("/analysis/mode-words/two-masses", test_two_masses);
     g_test_add_func("/analysis/mode-words/three-masses", test_three_masses);
     g_test_add_func("/analysis/mode-words/two-discs", test_two_discs);
     g_test_add_func("/analysis/mode-words/captions", test_captions);
+    g_test_add_func("/analysis/mode-words/damped-caption", test_damped_caption);
 }
 
 int main(int argc, char **argv)

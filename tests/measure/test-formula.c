@@ -111,6 +111,8 @@ static void test_mistakes(void)
     const struct {
         const char *text, *says;
     } bad[] = {
+        {"Mass 0.y - 1", "unknown name \"Mass\" (a quantity of a block stands in braces, as in {Mass 0.x}"},
+        {"y", "stands in braces"},
         {"2*{Mass 0.x", "column 3: \"{\" is not closed"},
         {"{Mass 0}", "column 1: {Mass 0}: there is no block"},
         {"1 + {Mass 0.speeed}",

@@ -220,6 +220,55 @@ static void test_steady(void)
     test_stage_close(&stage);
 }
 
+/* Beneath a plate a body has its name beyond the edge of that, with a line to it; once the plate is gone, where it
+ * would be had there been none. */
+static void test_far_name_comes_back(void)
+{
+    g_autoptr(TinkerPaintMemory) memory = tinker_paint_memory_new();
+    TestStage stage;
+    test_stage_open(&stage,
+                    "{\"type\": \"mass\", \"name\": \"Plate\", \"position\": [0, 0], \"width\": 3, \"height\": 3},"
+                    "{\"type\": \"mass\", \"name\": \"B\", \"position\": [0, 0], \"width\": 0.4, \"height\": 0.4}");
+    stage.options.show_labels = TRUE;
+    stage.options.memory = memory;
+    double away[3];
+    for (int i = 0; i < 3; i++) {
+        if (i == 2) stage.options.memory = NULL;
+        tinker_frame_place(stage.frame, tinker_scene_find_block(stage.scene, "Plate"), i == 0 ? 0 : 20, 0, 0);
+        test_stage_paint(&stage);
+        const TinkerWrittenText *name = test_stage_text(&stage, "B");
+        g_assert_nonnull(name);
+        away[i] = hypot(gap(name->box[0], name->box[2], TEST_STAGE_WIDTH / 2),
+                        gap(name->box[1], name->box[3], TEST_STAGE_HEIGHT / 2));
+    }
+    g_assert_cmpfloat(away[0], >, 1.5 * 50); /* half the plate, at 50 pixels a metre */
+    g_assert_cmpfloat(away[1], ==, away[2]);
+    test_stage_close(&stage);
+}
+
+/* A disc and a plate declare neither width nor height. Their names stand above them as
+ * near as that of a box of the same size, at least. */
+static void test_round(void)
+{
+    static const char *const blocks[] = {"\"mass\", \"width\": 2, \"height\": 2", "\"disc\", \"radius\": 1",
+                                         "\"plate\", \"corners\": [[-1, -1], [1, -1], [1, 1], [-1, 1]]"};
+    const double top = TEST_STAGE_HEIGHT / 2 - 50; /* at 50 pixels a metre */
+    double below = 0;
+    for (gsize i = 0; i < G_N_ELEMENTS(blocks); i++) {
+        g_autofree char *block = g_strdup_printf("{\"name\": \"Body\", \"position\": [0, 0], \"type\": %s}", blocks[i]);
+        TestStage stage;
+        test_stage_open(&stage, block);
+        stage.options.show_labels = TRUE;
+        test_stage_paint(&stage);
+        const TinkerWrittenText *name = test_stage_text(&stage, "Body");
+        g_assert_nonnull(name);
+        if (i == 0) below = name->box[3];
+        g_assert_cmpfloat(name->box[3], >=, below);
+        g_assert_cmpfloat(name->box[3], <=, top);
+        test_stage_close(&stage);
+    }
+}
+
 /* Connectors have names where there are few blocks; among many, bodies alone have. */
 static void test_nets(void)
 {
@@ -329,6 +378,8 @@ static void add_tests(void)
     g_test_add_func("/render/labels/measures", test_measures);
     g_test_add_func("/render/labels/pivot", test_pivot);
     g_test_add_func("/render/labels/steady", test_steady);
+    g_test_add_func("/render/labels/round", test_round);
+    g_test_add_func("/render/labels/far-name-comes-back", test_far_name_comes_back);
     g_test_add_func("/render/labels/nets", test_nets);
     g_test_add_func("/render/labels/leaders", test_leaders);
     g_test_add_func("/render/labels/panels", test_panels);

@@ -37,8 +37,20 @@ gboolean tinker_piece_is_drawn_small(const TinkerPicture *picture, const TinkerP
     return fmax(half_x, half_y) < 0.3 * fmax(piece->width, piece->height) * picture->view->scale;
 }
 
+/* What declares neither width nor height, as a disc or a plate, is as large as its drawing. FALSE where there is none.
+ */
+static gboolean init_drawing(TinkerNamed *named, const TinkerPicture *picture, const TinkerPiece *piece)
+{
+    double box[4];
+    if (!tinker_piece_box(piece, &picture->brush.style, box)) return FALSE;
+    tinker_view_to_canvas(picture->view, (box[0] + box[2]) / 2, (box[1] + box[3]) / 2, &named->x, &named->y);
+    half_box(picture, piece, &named->half_width, &named->half_height);
+    return TRUE;
+}
+
 static void init_body(TinkerNamed *named, const TinkerPicture *picture, const TinkerPiece *piece)
 {
+    if (fmax(piece->width, piece->height) <= 0 && init_drawing(named, picture, piece)) return;
     double scale = picture->view->scale, half_x, half_y;
     named->half_width = piece->width * scale / 2;
     named->half_height = piece->height * scale / 2;

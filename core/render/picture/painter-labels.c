@@ -50,8 +50,14 @@ static void take_piece(Labels *labels, const TinkerPiece *piece)
         double dx = half * cos(angle), dy = -half * sin(angle);
         tinker_occupancy_take_line(&labels->map, x1 - dx, y1 - dy, x1 + dx, y1 + dy, thin, TINKER_TAKEN_BY_DRAWING);
     } else {
+        const TinkerStyle *style = &labels->picture->brush.style;
+        const gboolean is_body = piece->kind == TINKER_PIECE_BODY && fmax(piece->width, piece->height) <= 0;
+        const double margin = is_body ? tinker_drawing_margin(style) : 0; /* room for marks, of which it has none */
         double box[4];
-        if (!tinker_piece_box(piece, &labels->picture->brush.style, box)) return;
+        if (!tinker_piece_box(piece, style, box)) return;
+        if (fmin(box[2] - box[0], box[3] - box[1]) > 2 * margin)
+            for (int side = 0; side < 4; side++)
+                box[side] += side < 2 ? margin : -margin;
         tinker_view_to_canvas(view, box[0], box[3], &x1, &y1);
         tinker_view_to_canvas(view, box[2], box[1], &x2, &y2);
         tinker_occupancy_take_box(&labels->map, (double[]){x1, y1, x2, y2}, TINKER_TAKEN_BY_DRAWING);
@@ -91,6 +97,14 @@ static double place_cost(const Labels *labels, const TinkerNamed *named, int num
     return 10 * text + drawing + crosses + tinker_named_free_cost(named, number);
 }
 
+/* What a name may cover of drawings before it leaves its place. A far one is a makeshift: it is left as soon as there
+ * is room beside the body, which then is kept. */
+static double keeps(const TinkerNamed *named, int place)
+{
+    if (named->is_connector) return KEEPS_CONNECTOR;
+    return tinker_named_is_far(named, place) ? 0 : KEEPS;
+}
+
 /* The cheapest of the places, of which there is one; the one of the picture before, `kept`, stays unless something has
  * come into its way. */
 static int choose_place(const Labels *labels, const TinkerNamed *named, int kept, double best[4])
@@ -98,7 +112,7 @@ static int choose_place(const Labels *labels, const TinkerNamed *named, int kept
     int chosen = 0, places = tinker_named_places(named);
     double least = INFINITY;
     if (kept >= 0 && kept < places) {
-        least = place_cost(labels, named, kept, best) - (named->is_connector ? KEEPS_CONNECTOR : KEEPS);
+        least = place_cost(labels, named, kept, best) - keeps(named, kept);
         chosen = kept;
     }
     /* What follows costs more than a place that is free. */

@@ -170,6 +170,10 @@ static int fail_name(Parser *parser, const char *start, const char *name)
     if (nearest != NULL)
         return fail(parser, TINKER_WAVEFORM_ERROR_UNKNOWN_NAME, start, _("unknown name %s; did you mean \"%s\"?"),
                     quoted, nearest);
+    if (parser->refer != NULL) /* where a quantity is what most often is meant */
+        return fail(parser, TINKER_WAVEFORM_ERROR_UNKNOWN_NAME, start,
+                    _("unknown name %s (a quantity of a block stands in braces, as in {Mass 0.x}; without braces: %s)"),
+                    quoted, all->str);
     return fail(parser, TINKER_WAVEFORM_ERROR_UNKNOWN_NAME, start, _("unknown name %s; known are %s"), quoted,
                 all->str);
 }

@@ -121,8 +121,8 @@ char *tinker_mode_caption(const TinkerModeAnalysis *analysis, const TinkerMode *
     case TINKER_MODE_OSCILLATION:
         break;
     }
-    g_autofree char *swing =
-        g_strdup_printf(_("%s: ω₀ = %.4g rad/s, f = %.4g Hz, T = %.4g s"), name, mode->natural, hertz, period);
-    return mode->damping_ratio == 0 ? g_steal_pointer(&swing)
-                                    : g_strdup_printf(_("%s, damping ratio %.3g"), swing, mode->damping_ratio);
+    if (mode->damping_ratio == 0)
+        return g_strdup_printf(_("%s: ω₀ = %.4g rad/s, f = %.4g Hz, T = %.4g s"), name, mode->natural, hertz, period);
+    return g_strdup_printf(_("%s: ω₀ = %.4g rad/s, damping ratio %.3g; damped: f = %.4g Hz, T = %.4g s"), name,
+                           mode->natural, mode->damping_ratio, hertz, period);
 }

@@ -17,8 +17,9 @@ void tinker_mode_place(TinkerFrame *frame, const TinkerModeAnalysis *analysis, c
  * is not simple, or no standing shape. (transfer full) */
 char *tinker_mode_motion(const TinkerModeAnalysis *analysis, const TinkerMode *mode);
 
-/* "Mode 3, sideways: ω₀ = 10 rad/s, f = 1.59 Hz, T = 0.6291 s, damping ratio 0.05", in the user's language: ω₀
- * without damping, f and T as it swings. (transfer full) */
+/* "Mode 3, sideways: ω₀ = 10 rad/s, f = 1.592 Hz, T = 0.6283 s", in the user's language; of a damped one "ω₀ = 10
+ * rad/s, damping ratio 0.1; damped: f = 1.584 Hz, T = 0.6315 s": ω₀ without damping, f and T as it swings. (transfer
+ * full) */
 char *tinker_mode_caption(const TinkerModeAnalysis *analysis, const TinkerMode *mode, guint number);
 
 #endif

@@ -110,8 +110,9 @@ static void show_rows(TinkerEquationsPage *page, const TinkerModelResult *result
         tinker_equation_list_add(box, page->document, line, g_ptr_array_index(spoken, i));
     }
     if (shown->len == 0) tinker_equation_list_add_text(page->rows, _("Nothing in this scene can move."), "dim-label");
-    if (result->bodies[0] == TINKER_NO_BLOCK && result->equations->bodies->len > MOST_BODIES)
-        tinker_equation_list_add_text(page->rows, _("Select bodies to see theirs."), "dim-label");
+    if (result->bodies[0] == TINKER_NO_BLOCK && result->equations->bodies->len > 0)
+        tinker_equation_list_add_text(
+            page->rows, _("Select bodies to see theirs alone, with a free-body diagram and books."), "dim-label");
 }
 
 /* Whether the form that is chosen has an equation. */

@@ -274,6 +274,16 @@ static GListModel *owners_of(TinkerScene *scene)
     return G_LIST_MODEL(names);
 }
 
+/* The next curve most often is of the block that the first one is of. */
+static void choose_first_owner(Dialog *dialog)
+{
+    const TinkerSceneCurve *first = tinker_scene_graph_curve(graph_of(dialog));
+    GListModel *owners = gtk_drop_down_get_model(GTK_DROP_DOWN(dialog->block));
+    for (guint i = 0; first != NULL && first->block != NULL && i < g_list_model_get_n_items(owners); i++)
+        if (strcmp(gtk_string_list_get_string(GTK_STRING_LIST(owners), i), first->block) == 0)
+            gtk_drop_down_set_selected(GTK_DROP_DOWN(dialog->block), i);
+}
+
 static void add_parts(Dialog *dialog, GtkWidget *box)
 {
     GtkWidget *scroller = gtk_scrolled_window_new();
@@ -286,6 +296,7 @@ static void add_parts(Dialog *dialog, GtkWidget *box)
     dialog->block = add_choices(line, _("Block"), owners_of(tinker_document_scene(dialog->document)));
     dialog->quantity = add_choices(line, _("Quantity"), NULL);
     add_button(line, _("_Add"), dialog, G_CALLBACK(on_add_quantity));
+    choose_first_owner(dialog);
     g_signal_connect_swapped(dialog->block, "notify::selected", G_CALLBACK(on_block), dialog);
     on_block(dialog);
     line = add_line(box);

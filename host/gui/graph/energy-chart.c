@@ -44,7 +44,8 @@ static char *number_text(double value)
     return g_strdup_printf("%.4g J", fabs(value) < 1e-12 ? 0 : value);
 }
 
-static void write_text(Chart *chart, cairo_t *cairo, const char *text, double x, double y, gboolean to_right)
+/* `share` of the text lies to the left of x. */
+static void write_text(Chart *chart, cairo_t *cairo, const char *text, double x, double y, double share)
 {
     g_autoptr(PangoLayout) layout = gtk_widget_create_pango_layout(chart->area, text);
     g_autoptr(PangoAttrList) attributes = pango_attr_list_new();
@@ -52,7 +53,7 @@ static void write_text(Chart *chart, cairo_t *cairo, const char *text, double x,
     pango_attr_list_insert(attributes, pango_attr_size_new_absolute((int)(FONT_SIZE * PANGO_SCALE)));
     pango_layout_set_attributes(layout, attributes);
     pango_layout_get_pixel_size(layout, &width, &height);
-    cairo_move_to(cairo, to_right ? x - width : x, y);
+    cairo_move_to(cairo, x - share * width, y);
     pango_cairo_show_layout(cairo, layout);
 }
 
@@ -73,8 +74,8 @@ static void draw_bars(Chart *chart, cairo_t *cairo, const TinkerTheme *theme, do
         set_colour(cairo, colour);
         cairo_fill(cairo);
         set_colour(cairo, theme->colours[TINKER_COLOUR_TEXT]);
-        write_text(chart, cairo, name, left + 1.5 * SAMPLE, y, FALSE);
-        write_text(chart, cairo, number, left + BARS - ROW, y, TRUE);
+        write_text(chart, cairo, name, left + 1.5 * SAMPLE, y, 0);
+        write_text(chart, cairo, number, left + BARS - ROW, y, 1);
         cairo_rectangle(cairo, left, y + ROW - 1, whole > 0 ? (BARS - ROW) * fmin(fabs(value) / whole, 1) : 0, ROW / 3);
         set_colour(cairo, colour);
         cairo_fill(cairo);
@@ -110,7 +111,7 @@ static void draw(GtkDrawingArea *area, cairo_t *cairo, int width, int height, gp
     look_again_later(chart);
     if (tinker_energy_data_count(chart->data) == 0) {
         set_colour(cairo, theme->colours[TINKER_COLOUR_TEXT]);
-        write_text(chart, cairo, _("Press Play to see where the energy goes"), ROW, height / 2.0, FALSE);
+        write_text(chart, cairo, _("Press Play to see where the energy goes"), width / 2.0, height / 2.0, 0.5);
         return;
     }
     tinker_energy_data_fill_plot(chart->data, &plot);

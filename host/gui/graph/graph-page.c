@@ -16,7 +16,7 @@ struct _TinkerGraphPage {
     TinkerDocument *document;
     GArray *blocks;        /* of TinkerBlockId: those in the list */
     TinkerBlockId offered; /* of them, unless the user chose another one */
-    GtkWidget *row, *block, *quantity, *against, *energy, *stack;
+    GtkWidget *row, *block, *quantity, *against, *energy, *chart, *stack;
     gboolean updating;
 };
 
@@ -96,6 +96,17 @@ static void on_selection_changed(TinkerGraphPage *page)
     choose_block(page, tinker_document_selected(page->document));
 }
 
+/* What is shown has the page: the chart of the energy all of it where it stands alone. */
+static void show_places(TinkerGraphPage *page)
+{
+    const gboolean graphs = tinker_scene_graphs(tinker_document_scene(page->document))->len > 0;
+    const gboolean energy = gtk_toggle_button_get_active(GTK_TOGGLE_BUTTON(page->energy));
+    gtk_stack_set_visible_child_name(GTK_STACK(page->stack), graphs ? "graphs" : "none");
+    gtk_widget_set_visible(page->stack, graphs || !energy);
+    gtk_widget_set_visible(page->chart, energy);
+    gtk_widget_set_vexpand(page->chart, !graphs);
+}
+
 static void on_changed(TinkerGraphPage *page)
 {
     TinkerScene *scene = tinker_document_scene(page->document);
@@ -120,7 +131,7 @@ static void on_changed(TinkerGraphPage *page)
     page->updating = FALSE;
     list_quantities(page);
     gtk_widget_set_sensitive(page->row, page->blocks->len > 0);
-    gtk_stack_set_visible_child_name(GTK_STACK(page->stack), tinker_scene_graphs(scene)->len > 0 ? "graphs" : "none");
+    show_places(page);
 }
 
 static void on_add(TinkerGraphPage *page)
@@ -189,10 +200,10 @@ static void add_stack(TinkerGraphPage *page, TinkerPlayer *player)
 /* Between the row and the graphs. */
 static void add_energy(TinkerGraphPage *page, TinkerPlayer *player)
 {
-    GtkWidget *chart = tinker_energy_chart_new(page->document, player);
-    gtk_widget_add_css_class(chart, "energy");
-    gtk_widget_insert_after(chart, GTK_WIDGET(page), page->row);
-    g_object_bind_property(page->energy, "active", chart, "visible", G_BINDING_SYNC_CREATE);
+    page->chart = tinker_energy_chart_new(page->document, player);
+    gtk_widget_add_css_class(page->chart, "energy");
+    gtk_widget_insert_after(page->chart, GTK_WIDGET(page), page->row);
+    g_signal_connect_swapped(page->energy, "toggled", G_CALLBACK(show_places), page);
 }
 
 static void tinker_graph_page_dispose(GObject *object)

@@ -3,6 +3,7 @@
 
 #include <glib/gi18n.h>
 #include <math.h>
+#include <string.h>
 
 #include "common/overlay/mode-shape.h"
 #include "gui/text/sentence.h"
@@ -92,10 +93,24 @@ static void on_row_selected(TinkerModesPage *page, GtkListBoxRow *row)
         swing(page, (guint)gtk_list_box_row_get_index(row));
 }
 
+/* The caption with lines that end behind commas and the like, and not within "T = 1.257 s". (transfer full) */
+static char *unbroken(const char *caption)
+{
+    GString *text = g_string_new(NULL);
+    const char *values = strchr(caption, ':');
+    for (const char *at = caption; *at != '\0'; at++)
+        if (*at == ' ' && values != NULL && at > values && strchr(",;:", at[-1]) == NULL)
+            g_string_append_unichar(text, 0x00a0);
+        else
+            g_string_append_c(text, *at);
+    return g_string_free(text, FALSE);
+}
+
 static void add_row(TinkerModesPage *page, const TinkerModeAnalysis *analysis, guint number)
 {
     g_autofree char *caption = tinker_mode_caption(analysis, g_ptr_array_index(analysis->modes, number), number + 1);
-    GtkWidget *label = gtk_label_new(caption), *row = gtk_list_box_row_new();
+    g_autofree char *text = unbroken(caption);
+    GtkWidget *label = gtk_label_new(text), *row = gtk_list_box_row_new();
     gtk_label_set_xalign(GTK_LABEL(label), 0);
     gtk_label_set_wrap(GTK_LABEL(label), TRUE);
     gtk_list_box_row_set_child(GTK_LIST_BOX_ROW(row), label);
@@ -158,7 +173,8 @@ static char *note_of(TinkerModesPage *page, const TinkerModesResult *result)
     TinkerScene *scene = tinker_document_scene(page->document);
     if (result->analysis == NULL)
         return result->error != NULL ? tinker_sentence_in(scene, result->error->message) : NULL;
-    if (result->analysis->modes->len == 0) return g_strdup(_("Nothing in this scene can move."));
+    if (result->analysis->modes->len == 0)
+        return g_strdup(_("Nothing in this scene moves of itself: it has no degree of freedom."));
     if (!result->analysis->about_rest)
         return g_strdup(_("The scene has no rest that it comes to: these are the modes about its start, held still."));
     return g_strdup(_("Small motions about the rest of the scene. The mode that is selected swings on the canvas."));

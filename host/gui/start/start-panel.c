@@ -155,14 +155,22 @@ static void show_values(TinkerStartPanel *panel)
     }
 }
 
-/* The hint stands where nothing is selected; a block that has nothing to offer has no section. */
+/* The hint stands where there is nothing to choose: it says what to select, or that what is selected has its properties
+ * alone, as a force has. */
 static void show_parts(TinkerStartPanel *panel)
 {
-    int selected;
-    tinker_document_selection(panel->document, &selected);
-    gtk_widget_set_visible(panel->hint, selected != 1);
-    gtk_widget_set_visible(panel->note, panel->options->len > 0 && tinker_player_time(panel->player) > 0);
-    gtk_widget_set_visible(panel->expander, selected != 1 || panel->options->len > 0);
+    int count;
+    tinker_document_selection(panel->document, &count);
+    const gboolean offers = panel->options->len > 0;
+    g_autofree char *plain = count == 1
+                                 ? g_strdup_printf(_("%s starts as its properties say."),
+                                                   tinker_scene_block_name(tinker_document_scene(panel->document),
+                                                                           tinker_document_selected(panel->document)))
+                                 : NULL;
+    gtk_label_set_text(GTK_LABEL(panel->hint),
+                       plain != NULL ? plain : _("Select one body or connector to say how it starts."));
+    gtk_widget_set_visible(panel->hint, !offers);
+    gtk_widget_set_visible(panel->note, offers && tinker_player_time(panel->player) > 0);
 }
 
 static void refresh(TinkerStartPanel *panel)
@@ -231,7 +239,7 @@ static void tinker_start_panel_init(TinkerStartPanel *panel)
     panel->options = g_ptr_array_new();
     panel->rows = g_ptr_array_new();
     panel->note = tinker_start_wrapping_label(_("Changes the start: goes back to 0 s."));
-    panel->hint = tinker_start_wrapping_label(_("Select one body or connector to say how it starts."));
+    panel->hint = tinker_start_wrapping_label("");
     panel->choices = gtk_box_new(GTK_ORIENTATION_VERTICAL, 6);
     panel->list = gtk_list_box_new();
     gtk_list_box_set_selection_mode(GTK_LIST_BOX(panel->list), GTK_SELECTION_NONE);

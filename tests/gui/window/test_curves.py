@@ -52,6 +52,14 @@ def test_quantities_of_two_blocks(display):
         check_equal([curve.get("quantity") for curve in curves(app)], ["y"], "quantities after undo")
 
 
+def test_the_block_of_the_graph_is_chosen(display):
+    """It is not the first of the scene."""
+    with App(display, scene(GRAVITY, mass("Stone", 2, 0), mass("Ball", 0, 0), duration=0.1, graphs=[GRAPH])) as app:
+        app.click("Add", inside=open_dialog(app))
+        close_dialog(app)
+        check_equal([curve["block"] for curve in curves(app)], ["Ball", "Ball"], "blocks in the file")
+
+
 def test_more_can_be_added_to_many(display):
     """The list is scrolled; what adds to it stays in sight."""
     many = [{"block": block, "quantity": name} for block in ("Ball", "Stone") for name in ("x", "y", "vx", "vy", "ax", "ay")]

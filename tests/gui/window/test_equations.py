@@ -28,6 +28,16 @@ def test_terms_are_read_out(display):
         app.find("image", "Spring: k times, L minus L nought")
 
 
+def test_the_page_says_how_to_see_diagram_and_books(display):
+    """They are of what is selected, and in their place stands what to do."""
+    with App(display, hanging()) as app:
+        open_page(app)
+        app.find_text("Select bodies to see theirs alone")
+        app.click_block("Bob")
+        app.find("image", "Free-body diagram")
+        wait(lambda: app.look("label", re.compile("^Select bodies")) is None, "the hint to go")
+
+
 def test_pointing_at_a_term_lights_its_block(display):
     """And at a block its terms. The spring runs from (0, 3) to (0, 0)."""
     with App(display, hanging()) as app:

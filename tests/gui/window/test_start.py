@@ -38,5 +38,15 @@ def test_every_control_has_a_name(display):
             wait(lambda: not unnamed(app), f"names of all controls with {tab}")
 
 
+def test_start_of_what_has_none(display):
+    """A force has no start of its own: its page says so, and is not empty."""
+    push = {"type": "motor", "name": "Push", "ends": ["Ball"]}
+    with App(display, scene(mass("Ball", 0, 1), push)) as app:
+        app.click("Start", role="tab")
+        app.find_text("Select one body or connector to say how it starts.")
+        app.click(app.find_starting("list item", "Push"))
+        app.find_text("Push starts as its properties say.")
+
+
 if __name__ == "__main__":
     main()
