@@ -2,6 +2,7 @@
 #include "contact-checks.h"
 
 #include <math.h>
+#include <string.h>
 
 static const double g = CONTACT_GRAVITY;
 
@@ -284,6 +285,41 @@ static void test_gears_do_not_meet(void)
     physics_assert_near("angle", physics_last(run, 0), 2 * 0.5 / (0.125 + 0.25 * 2), 1e-8);
 }
 
+/* So many discs in a row, a metre apart, of which the first comes to the second at 2 m/s; `more` behind them. */
+static PhysicsRun *row_of(int discs, gboolean impulses, const char *more)
+{
+    g_autoptr(GString) blocks = g_string_new("{'type': 'disc', 'radius': 0.2, 'velocity': [2, 0], 'restitution': 0}");
+    for (int i = 1; i < discs; i++)
+        g_string_append_printf(blocks, ", {'type': 'disc', 'radius': 0.2, 'position': [%d, 0], 'restitution': 0}", i);
+    return physics_run(&(PhysicsOptions){.duration = 0.5, .columns = "Disc 0.vx", .impulses = impulses}, "%s%s",
+                       blocks->str, more);
+}
+
+static gboolean warns_of_passing(const PhysicsRun *run)
+{
+    gboolean warns = FALSE;
+    for (guint i = 0; i < run->summary->warnings->len; i++)
+        warns |= strstr(g_ptr_array_index(run->summary->warnings, i), "pass through each other") != NULL;
+    return warns;
+}
+
+/* The first two go on together; by events not in a scene of too many, which says so. What cannot meet does not count.
+ */
+static void test_too_many(void)
+{
+    g_autoptr(GString) bars = g_string_new(NULL);
+    for (int i = 0; i < 10; i++)
+        g_string_append_printf(bars, ", {'type': 'bar', 'position': [0, %d]}", i + 5);
+    g_autoptr(PhysicsRun) few = row_of(64, FALSE, bars->str), many = row_of(65, FALSE, ""),
+                          piled = row_of(65, TRUE, "");
+    physics_assert_near("vx", physics_last(few, 0), 1, 1e-10);
+    physics_assert_near("vx of a pile", physics_last(piled, 0), 1, 1e-10);
+    physics_assert_near("vx through the other", physics_last(many, 0), 2, 1e-12);
+    g_assert_false(warns_of_passing(few));
+    g_assert_false(warns_of_passing(piled));
+    g_assert_true(warns_of_passing(many));
+}
+
 /* Six dominoes fall over one another and come to rest on each other, where contacts stop and slide the other way within
  * microseconds. No step is looked at so closely for it that forces are worked out many times as often as its stages and
  * the places of a search ask for (13 and 10 of each step that is made). */
@@ -309,6 +345,7 @@ static void add_tests(void)
     g_test_add_func("/physics/contact-bodies/stack", test_stack);
     g_test_add_func("/physics/contact-bodies/slides-on-a-box", test_slides_on_a_box);
     g_test_add_func("/physics/contact-bodies/side-by-side", test_side_by_side);
+    g_test_add_func("/physics/contact-bodies/too-many", test_too_many);
     g_test_add_func("/physics/contact-bodies/passes", test_passes);
     g_test_add_func("/physics/contact-bodies/momentum", test_momentum);
     g_test_add_func("/physics/contact-bodies/rebounds", test_rebounds);

@@ -1,5 +1,6 @@
 /* Bodies that meet each other, and those that turn, as contact sees them: their outlines, and their gap functions for a
  * state of the model. */
+#include <glib/gi18n-lib.h>
 #include <math.h>
 #include <string.h>
 
@@ -106,20 +107,33 @@ int32_t tinker_model_meeting_bodies(const TinkerModel *model)
     return count;
 }
 
-/* Of the whole scene, whatever part of it the model is. */
-gboolean tinker_model_bodies_meet(const TinkerModel *model)
+/* Of the whole scene, up to so many. */
+static int32_t count_meeting(TinkerScene *scene, int32_t most)
 {
-    TinkerScene *scene = model->scene;
-    int32_t shapes = 0;
-    for (int32_t i = 0; shapes <= MOST_SHAPES && i < tinker_scene_block_count(scene); i++) {
+    int32_t count = 0;
+    for (int32_t i = 0; count < most && i < tinker_scene_block_count(scene); i++) {
         const TinkerBlockId block = tinker_scene_block_at(scene, i);
         const TinkerBlockClass *block_class = tinker_scene_block_class(scene, block);
         const int32_t meaning = meets_by(block_class);
         if (meaning == TINKER_MEANING_NONE) continue;
         const int32_t column = tinker_block_class_meaning_column(block_class, meaning);
-        shapes += meaning == TINKER_MEANING_SOLID || (column >= 0 && tinker_scene_get(scene, block, column) != 0);
+        count += column >= 0 && tinker_scene_get(scene, block, column) != 0;
     }
-    return shapes <= MOST_SHAPES;
+    return count;
+}
+
+gboolean tinker_model_bodies_meet(const TinkerModel *model)
+{
+    return count_meeting(model->scene, MOST_SHAPES + 1) <= MOST_SHAPES;
+}
+
+char *tinker_contacts_unmet(const TinkerModel *model)
+{
+    if (tinker_model_meeting_bodies(model) < 2 || tinker_model_bodies_meet(model)) return NULL;
+    return g_strdup_printf(
+        _("contact by events is worked out among at most %d bodies of a scene: the %d that could meet "
+          "here pass through each other (with contacts as impulses they meet)"),
+        MOST_SHAPES, count_meeting(model->scene, G_MAXINT32));
 }
 
 /* Those of bodies that meet others; *room is the first that is free of contacts->corners. */

@@ -14,7 +14,7 @@ void tinker_contacts_find_outlines(TinkerContacts *contacts);
 void tinker_contacts_list_gaps(TinkerContacts *contacts, gboolean meet);
 /* How many are solid and turn, or collide. */
 int32_t tinker_model_meeting_bodies(const TinkerModel *model);
-/* Whether they meet each other: where the scene does not have too many. */
+/* Whether they meet each other by events: where the scene, whatever part of it the model is, does not have too many. */
 gboolean tinker_model_bodies_meet(const TinkerModel *model);
 /* The entries of closed gap functions, for the state in the points. */
 void tinker_contacts_refresh_entries(TinkerContacts *contacts);

@@ -224,6 +224,8 @@ void tinker_contact_gap_entries(const TinkerContacts *contacts, int32_t number, 
 double tinker_contact_times(const TinkerContactEntries *entries, int which, const double *by_coordinate);
 /* Whether the tip is over the seat (TinkerContactPlace.along), and the pair does not pass. */
 gboolean tinker_contact_gap_is_over(const TinkerContacts *contacts, int32_t number, double tolerance);
+/* What is to be told where so many bodies could meet that they do not, by events; NULL: nothing. (transfer full) */
+char *tinker_contacts_unmet(const TinkerModel *model);
 /* Adds a warning (of char *) for pairs that overlap, for the state in the model's points: they pass at first. */
 void tinker_contacts_tell_overlaps(const TinkerContacts *contacts, GPtrArray *warnings);
 /* The same of one pair, which counts as told where it overlaps; and how many of these were too many to tell of. */

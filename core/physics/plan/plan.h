@@ -41,7 +41,7 @@ typedef struct {
     GPtrArray *islands;                        /* of TinkerIslandPlan *, in the order of the islands */
     GPtrArray *redundant;                      /* of char *: names of the blocks whose constraints depend on others */
     GPtrArray *modelled, *left_out, *warnings; /* of char *: sentences */
-    GPtrArray *overlaps;                       /* of char *: those of the warnings that tell of shapes that overlap */
+    GPtrArray *overlaps; /* of char *: those of the warnings that tell of shapes that pass through each other */
 } TinkerPlan;
 
 /* Plans a run. `islands` are those of the model. Errors: TINKER_MODEL_ERROR_METHOD. (transfer full) */

@@ -4,7 +4,7 @@
 #include <stdarg.h>
 
 #include "numerics/methods/integrators.h"
-#include "physics/model/model.h"
+#include "physics/contact/contacts.h"
 #include "physics/plan/run-options.h"
 
 /* What `auto` stands for: the smooth default. */
@@ -124,6 +124,11 @@ char *tinker_method_fault(TinkerCatalogue *catalogue, const char *id)
 {
     g_autoptr(GError) error = NULL;
     return find_method(catalogue, id, &error) != NULL ? NULL : g_strdup(error->message);
+}
+
+char *tinker_options_unmet(const TinkerRunOptions *options, const TinkerModel *model)
+{
+    return options->impulses ? NULL : tinker_contacts_unmet(model);
 }
 
 gboolean tinker_run_options_check(const TinkerRunOptions *options, const TinkerIntegrator *method, double duration,

@@ -2,6 +2,7 @@
 #ifndef TINKER_CORE_RUN_OPTIONS_H
 #define TINKER_CORE_RUN_OPTIONS_H
 
+#include "physics/model/model.h"
 #include "scene/store/scene.h"
 
 /* What the error estimate has found, up to a sample that the companion has come to. */
@@ -59,6 +60,10 @@ GPtrArray *tinker_plugin_methods(TinkerCatalogue *catalogue);
 /* Of all methods that a run may name: "auto", those that are built in (`builtins`, unless NULL, is how many these are
  * with "auto"), those of plugins; of char *. (transfer full) */
 GPtrArray *tinker_method_ids(TinkerCatalogue *catalogue, guint *builtins);
+
+/* What is to be told where bodies of the scene could meet and do not, as there are too many for contact by events;
+ * NULL: nothing. (transfer full) */
+char *tinker_options_unmet(const TinkerRunOptions *options, const TinkerModel *model);
 
 gboolean tinker_run_options_check(const TinkerRunOptions *options, const TinkerIntegrator *method, double duration,
                                   GError **error);

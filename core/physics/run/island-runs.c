@@ -57,6 +57,8 @@ static void open_summary(TinkerIslandRuns *self)
     summary->of_scene = g_ptr_array_new();
     for (guint i = 0; i < model->warnings->len; i++)
         tinker_summary_warn_of_scene(summary, g_strdup(g_ptr_array_index(model->warnings, i)));
+    char *unmet = tinker_options_unmet(&self->options, model);
+    if (unmet != NULL) tinker_summary_warn_of_scene(summary, unmet);
 }
 
 /* Where steps end, whatever is recorded: at the scene's duration, and where samples are asked for beyond that, at every

@@ -122,6 +122,15 @@ static void add_detached_ends(Findings *findings, TinkerScene *scene)
     }
 }
 
+static void add_warnings(Findings *findings, const GPtrArray *warnings)
+{
+    for (guint i = 0; i < warnings->len; i++) {
+        g_autofree char *text =
+            g_strdup_printf("%s: warning: %s", findings->name, (const char *)g_ptr_array_index(warnings, i));
+        add_warning(findings, text);
+    }
+}
+
 /* A method, step, tolerance or interval that no run can have, or a condition that cannot end one. */
 static void add_of_run(Findings *findings, TinkerScene *scene, TinkerModel *model)
 {
@@ -130,20 +139,15 @@ static void add_of_run(Findings *findings, TinkerScene *scene, TinkerModel *mode
     g_autoptr(TinkerSimulation) simulation = tinker_simulation_new(model, &options, &error);
     if (simulation == NULL || !tinker_model_check_breaks(model, options.duration, &error))
         add_refusal(findings, scene, error);
+    g_autoptr(GPtrArray) unmet = g_ptr_array_new_with_free_func(g_free);
+    char *text = tinker_options_unmet(&options, model);
+    if (text != NULL) g_ptr_array_add(unmet, text);
+    add_warnings(findings, unmet);
     g_autoptr(GError) mistake = NULL;
     g_autoptr(TinkerUntil) until = tinker_until_new(scene, 0);
     if (tinker_until_add_all(until, tinker_scene_head(scene)->run.until, &mistake)) return;
     g_prefix_error(&mistake, "run: until: ");
     add_refusal(findings, scene, mistake);
-}
-
-static void add_warnings(Findings *findings, const GPtrArray *warnings)
-{
-    for (guint i = 0; i < warnings->len; i++) {
-        g_autofree char *text =
-            g_strdup_printf("%s: warning: %s", findings->name, (const char *)g_ptr_array_index(warnings, i));
-        add_warning(findings, text);
-    }
 }
 
 static void add_of_model(Findings *findings, TinkerScene *scene)
