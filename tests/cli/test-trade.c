@@ -109,6 +109,17 @@ static void test_no_write(CliFixture *fixture, gconstpointer data)
     g_assert_cmpstr(text, ==, OSCILLATOR);
 }
 
+/* The failures of a table stand apart from it, by an empty line. */
+static void test_failures(CliFixture *fixture, gconstpointer data)
+{
+    g_autofree char *scene = cli_write(fixture, "a.json", OSCILLATOR);
+    g_autoptr(TestProgram) program = cli_run(fixture, "trade @a.json --methods rk4 --error 1e-3 --seconds 2");
+    if (strstr(program->output, "no result, see below") == NULL)
+        g_test_fail_printf("nothing failed: %s", program->output);
+    cli_assert_holds(program->output, "\n\nrk4 at ");
+    g_assert_null(strstr(program->output, "\\n"));
+}
+
 static void test_mistakes(CliFixture *fixture, gconstpointer data)
 {
     static const struct {
@@ -143,6 +154,7 @@ int main(int argc, char **argv)
     cli_test_add("/trade/pictures", test_pictures);
     cli_test_add("/trade/write", test_write);
     cli_test_add("/trade/no-write", test_no_write);
+    cli_test_add("/trade/failures", test_failures);
     cli_test_add("/trade/mistakes", test_mistakes);
     return g_test_run();
 }

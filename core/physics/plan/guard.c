@@ -122,11 +122,17 @@ static TinkerBlockId lone_block(const TinkerModel *model, gboolean *states)
             count += batch->count;
             if (batch->count == 0) continue;
             block = stores_energy(batch->block_class->physics) ? batch->ids[0] : TINKER_NO_BLOCK;
-            *states = batch->block_class->law != NULL;
+            *states = batch->block_class->law_count > 0;
         }
     const gboolean alone =
         count == 1 && model->constraints.rows == 0 && model->contacts == NULL && model->field_drag == 0;
     return alone ? block : TINKER_NO_BLOCK;
+}
+
+static void append_check(GString *text, const char *name)
+{
+    g_string_append_printf(
+        text, _("%s alone acts here: tinker plugins check tells whether its forces agree with its energy"), name);
 }
 
 /* `fits`: the step is no reason to diverge. A fixed one may all the same be longer than what a law does. */
@@ -138,15 +144,45 @@ static void append_nobody(GString *text, const TinkerModel *model, const TinkerI
         g_string_append_printf(text, _("the force of %s, which alone acts here, may change within a step"),
                                tinker_scene_block_name(model->scene, lone));
     else if (lone != TINKER_NO_BLOCK)
-        g_string_append_printf(text,
-                               _("%s alone acts here: tinker plugins check tells whether its forces agree with its "
-                                 "energy"),
-                               tinker_scene_block_name(model->scene, lone));
+        append_check(text, tinker_scene_block_name(model->scene, lone));
     else if (model->part && model->bodies > 0)
         g_string_append_printf(text, _("no single connector around %s is to blame"),
                                tinker_scene_block_name(model->scene, model->body_blocks[0]));
     else
         g_string_append(text, _("no single connector is to blame"));
+}
+
+/* The steps are too accurate for the energy to be off by them: what remains is an energy that is not that of its
+ * forces, where a plugin gives both and states no law. FALSE: there is no such block. */
+static gboolean append_doubt(GString *text, const TinkerModel *model)
+{
+    const GArray *asked[] = {model->asked_lines, model->asked_forces, model->asked_fields};
+    const char *first = NULL;
+    int32_t count = 0;
+    gboolean states = FALSE;
+    for (gsize i = 0; i < G_N_ELEMENTS(asked); i++)
+        for (guint k = 0; k < asked[i]->len; k++) {
+            const TinkerBlockBatch *batch = g_array_index(asked[i], TinkerAskedBatch, k).batch;
+            const TinkerBlockClass *class = batch->block_class;
+            if (batch->count == 0 || class->law_count > 0 || !stores_energy(class->physics)) continue;
+            if (first == NULL) first = tinker_scene_block_name(model->scene, batch->ids[0]);
+            count += batch->count;
+        }
+    if (count == 0) return FALSE;
+    if (lone_block(model, &states) != TINKER_NO_BLOCK)
+        append_check(text, first);
+    else if (count == 1)
+        g_string_append_printf(
+            text,
+            _("the steps are accurate: tinker plugins check tells whether the forces of %s agree with its energy"),
+            first);
+    else
+        g_string_append_printf(
+            text,
+            _("the steps are accurate: tinker plugins check tells whether forces agree with energies, "
+              "for %s, the first of %d blocks that may be the cause"),
+            first, count);
+    return TRUE;
 }
 
 static void append_blame(GString *text, TinkerModel *model, const TinkerSpectrum *spectrum,
@@ -201,9 +237,10 @@ static double stable_step(const TinkerSpectrum *spectrum, const TinkerIntegrator
     return tinker_method_is_fixed_explicit(method) ? tinker_spectrum_stable_step(spectrum, method, 0.8) : INFINITY;
 }
 
-char *tinker_guard_explain(TinkerModel *model, const TinkerIntegrator *method, double step)
+char *tinker_guard_explain(TinkerModel *model, const TinkerIntegrator *method, double step, gboolean accurate)
 {
     GString *text = g_string_new(NULL);
+    if (accurate && append_doubt(text, model)) return g_string_free(text, FALSE);
     TinkerIsland island = {.model = model, .linear = tinker_linear_form_new(model)};
     g_autoptr(TinkerSpectrum) spectrum = tinker_spectrum_new(&island);
     double stable = stable_step(spectrum, method);
@@ -214,7 +251,10 @@ char *tinker_guard_explain(TinkerModel *model, const TinkerIntegrator *method, d
             g_string_append_printf(text, _("; %s is stable up to a step of about %.3g s here, the step was %.3g s"),
                                    method->id, stable, step);
         else
-            g_string_append_printf(text, _("; %s is stable up to a step of about %.3g s here"), method->id, stable);
+            g_string_append_printf(text,
+                                   _("; near the start %s is stable up to a step of about %.3g s, but stable is not "
+                                     "yet accurate: for the motion later on the step of %.3g s may be too long"),
+                                   method->id, stable, step);
     }
     append_advice(text, &island, method, step, stable);
     tinker_linear_form_free(island.linear);

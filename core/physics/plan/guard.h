@@ -4,8 +4,10 @@
 
 #include "physics/model/model.h"
 
-/* One sentence for a run that diverged: block, property, stable step, and what may help. (transfer full) */
-char *tinker_guard_explain(TinkerModel *model, const TinkerIntegrator *integrator, double step);
+/* One sentence for a run that diverged: block, property, stable step, and what may help.
+ * `accurate`: the steps are known to be no reason, and blocks whose plugins give forces and energy are doubted first.
+ * (transfer full) */
+char *tinker_guard_explain(TinkerModel *model, const TinkerIntegrator *integrator, double step, gboolean accurate);
 
 /* The largest step (s) at which a method is stable, for the model linearised about its start; INFINITY where nothing
  * limits it, 0 where no step is stable, NAN where it is not known. Leaves the model in another state. */

@@ -24,13 +24,15 @@
 #define DRIVEN 0.01
 /* The books cost about one evaluation: they are looked into after this many. A step that needs none counts as one. */
 #define EVALUATIONS_BETWEEN_LOOKS 40
+/* Times the tolerance and the number of steps: an energy that is off by more is not so by the steps. */
+#define FAR_BEYOND 100.0
 /* A step that is far too large shows at once. */
 #define FIRST_LOOKS         8
 #define MOST_SINGULAR_STEPS 30
 
 static gboolean diverged(TinkerIslandRun *run, const char *how, GError **error)
 {
-    g_autofree char *advice = tinker_guard_explain(run->model, run->choice.method, run->choice.step);
+    g_autofree char *advice = tinker_guard_explain(run->model, run->choice.method, run->choice.step, FALSE);
     g_autofree char *why = g_strdup_printf(_("it diverged: %s (%s)"), how, advice);
     return tinker_island_run_fail(run, why, error);
 }
@@ -70,6 +72,14 @@ static gboolean watch_constraints(TinkerIslandRun *run)
     return TRUE;
 }
 
+/* Whether the energy is off by far more than the errors of all steps, each held to the tolerance, add up to. */
+static gboolean is_accurate(const TinkerIslandRun *run)
+{
+    const TinkerSummary *summary = &run->summary;
+    if (!(run->choice.method->flags & TINKER_INTEGRATOR_ADAPTIVE)) return FALSE;
+    return summary->energy_balance_error > FAR_BEYOND * run->choice.tolerance * (double)summary->steps;
+}
+
 /* Judged at the end: in the first steps from rest nearly nothing has been exchanged, and any share of that is large. */
 static void warn_of_imbalance(TinkerIslandRun *run)
 {
@@ -83,7 +93,7 @@ static void warn_of_imbalance(TinkerIslandRun *run)
                             run->choice.method->id, 100 * summary->energy_balance_error));
         return;
     }
-    g_autofree char *advice = tinker_guard_explain(run->model, run->choice.method, run->choice.step);
+    g_autofree char *advice = tinker_guard_explain(run->model, run->choice.method, run->choice.step, is_accurate(run));
     g_ptr_array_add(summary->warnings,
                     g_strdup_printf(_("the energy is off by up to %.3g %% of the largest energy exchanged: %s"),
                                     100 * summary->energy_balance_error, advice));

@@ -65,8 +65,8 @@ static void write_failures(const TinkerTrade *trade, FILE *file)
             const TinkerTradeRow *row = row_at(method, i);
             if (row->note == NULL) continue;
             g_autofree char *setting = tinker_trade_value_text(&row->setting);
-            tinker_print_line(file, "%s%s%s%s: %s", any ? "" : "\n", method->id, setting[0] != '\0' ? " at " : "",
-                              setting, row->note);
+            if (!any) fputc('\n', file);
+            tinker_print_line(file, "%s%s%s: %s", method->id, setting[0] != '\0' ? " at " : "", setting, row->note);
             any = TRUE;
         }
     }
