@@ -168,7 +168,7 @@ static void note_unevenness(TinkerContacts *contacts, TinkerContactBlock *block)
         most = fmax(most, heaviest);
     }
     block->uneven = most > TINKER_UNEVEN * least;
-    if (!block->uneven) return;
+    if (!(most > TINKER_VERY_UNEVEN * least)) return;
     for (int32_t i = block->first; i < block->first + block->count; i++) {
         TinkerContactRow *row = &g_array_index(contacts->rows, TinkerContactRow, (guint)i);
         find_masses(contacts, row, &lightest, &heaviest);

@@ -25,6 +25,10 @@
 /* No unit: bodies that touch one another and whose masses differ by more are uneven: what solves for their forces by W
  * is looked at again by the bodies. Held by: physics-contact-uneven. */
 #define TINKER_UNEVEN 30.0
+/* No unit: where they differ by more, W is scaled by the light ones, too, and a row may have as much less left without
+ * that it depends on others. At smaller ratios refining is enough, and steps of stacks that share loads crept with it.
+ * Held by: physics-contact-uneven. */
+#define TINKER_VERY_UNEVEN 1e5
 /* No unit; of the largest entry of a scaled W: smaller pivots of uneven bodies are rounding. Held by:
  * physics-contact-uneven. */
 #define TINKER_UNEVEN_DEPENDENT 1e-14
