@@ -112,10 +112,9 @@ def test_block_into_a_spring(display):
         app.click(app.find_starting("list item", "Bumper 0"), button=3)
         app.choose("Add Graph", "Compression")
         app.click("Play")
-        wait(lambda: app.time() > 2, "it to run into the spring and back")
+        wait(lambda: app.time() > 2 and not app.is_playing(), "the end of the run, with all of the curve")
         check_close(largest(app), compression(0.2, 3), 1e-4, "largest compression (m)")
         found_by = app.actions_taken
-        wait(lambda: not app.is_playing(), "the end of the run, which a control would change from now on only")
         app.press("ctrl+k")
         app.click(app.find_starting("list item", "Support 0"))
         app.bring_into_view(app.field("Friction", "Dynamic coefficient"))
