@@ -166,8 +166,10 @@ TinkerPlan *tinker_plan_new(TinkerModel *model, GPtrArray *islands, const Tinker
     for (guint i = model->warnings->len - model->overlap_warnings; i < model->warnings->len; i++)
         g_ptr_array_add(plan->overlaps, g_strdup(g_ptr_array_index(model->warnings, i)));
     g_autofree char *unmet = tinker_options_unmet(options, model);
-    for (int k = 0; unmet != NULL && k < 2; k++)
-        g_ptr_array_add(k == 0 ? plan->warnings : plan->overlaps, g_strdup(unmet));
+    if (unmet != NULL) {
+        g_ptr_array_add(plan->warnings, g_strdup(unmet));
+        g_ptr_array_add(plan->overlaps, g_strdup(unmet));
+    }
     for (guint i = 0; i < islands->len; i++) {
         TinkerIslandPlan *island = plan_island(g_ptr_array_index(islands, i), options, plan->warnings, error);
         if (island == NULL) return NULL;

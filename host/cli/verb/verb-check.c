@@ -122,13 +122,16 @@ static void add_detached_ends(Findings *findings, TinkerScene *scene)
     }
 }
 
+static void add_warning_of_scene(Findings *findings, const char *warning)
+{
+    g_autofree char *text = g_strdup_printf("%s: warning: %s", findings->name, warning);
+    add_warning(findings, text);
+}
+
 static void add_warnings(Findings *findings, const GPtrArray *warnings)
 {
-    for (guint i = 0; i < warnings->len; i++) {
-        g_autofree char *text =
-            g_strdup_printf("%s: warning: %s", findings->name, (const char *)g_ptr_array_index(warnings, i));
-        add_warning(findings, text);
-    }
+    for (guint i = 0; i < warnings->len; i++)
+        add_warning_of_scene(findings, g_ptr_array_index(warnings, i));
 }
 
 /* A method, step, tolerance or interval that no run can have, or a condition that cannot end one. */
@@ -139,10 +142,8 @@ static void add_of_run(Findings *findings, TinkerScene *scene, TinkerModel *mode
     g_autoptr(TinkerSimulation) simulation = tinker_simulation_new(model, &options, &error);
     if (simulation == NULL || !tinker_model_check_breaks(model, options.duration, &error))
         add_refusal(findings, scene, error);
-    g_autoptr(GPtrArray) unmet = g_ptr_array_new_with_free_func(g_free);
-    char *text = tinker_options_unmet(&options, model);
-    if (text != NULL) g_ptr_array_add(unmet, text);
-    add_warnings(findings, unmet);
+    g_autofree char *unmet = tinker_options_unmet(&options, model);
+    if (unmet != NULL) add_warning_of_scene(findings, unmet);
     g_autoptr(GError) mistake = NULL;
     g_autoptr(TinkerUntil) until = tinker_until_new(scene, 0);
     if (tinker_until_add_all(until, tinker_scene_head(scene)->run.until, &mistake)) return;
