@@ -76,6 +76,11 @@ def largest(app):
     return float(re.search(r"Greatest = (\S+) m", text).group(1))
 
 
+def length_of_bumper(app):
+    """In metres; while its end is dragged, where that is by now."""
+    return float(app.read("Bumper", "Length").split()[0])
+
+
 def compression(mu, way):
     """Of a block of 2 kg that slides so far (m) down 30 degrees into 400 N/m: k d^2 / 2 = F (way + d), F = m g (sin - mu cos)."""
     push = 2 * GRAVITY * (0.5 - mu * math.sqrt(0.75))
@@ -106,7 +111,7 @@ def test_block_into_a_spring(display):
         app.actions_taken += 1
         app.place("Bumper")
         app.drag_pixels(app.at(0, 1.4), app.at(*on_incline(1.5, 0)), app.at(*on_incline(3, 0)))
-        length = float(wait(lambda: (text := app.read("Bumper", "Length")) != "2.96657 m" and text, "another length").split()[0])
+        length = wait(lambda: (read := length_of_bumper(app)) > 5 and read, "the length where the drag ends, 3 m down the incline")
         app.enter("Bumper", "K", "400")
         app.enter("Bumper", "Length", f"{length:.5f}-3")
         app.click(app.find_starting("list item", "Bumper 0"), button=3)
