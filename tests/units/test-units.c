@@ -57,6 +57,12 @@ static void test_display(void)
     g_assert_cmpstr(foot, ==, "1 ft");
     g_autofree char *nothing = tinker_quantity_brief(-0.0, length, TINKER_UNIT_SYSTEM_SI);
     g_assert_cmpstr(nothing, ==, "0 m");
+    g_autofree char *force = tinker_load_brief(-25, FALSE, TINKER_UNIT_SYSTEM_SI);
+    g_assert_cmpstr(force, ==, "−25 N");
+    g_autofree char *torque = tinker_load_brief(-12.5, TRUE, TINKER_UNIT_SYSTEM_SI);
+    g_assert_cmpstr(torque, ==, "−12.5 N·m");
+    g_autofree char *pounds = tinker_load_brief(1.3558179483314004, TRUE, TINKER_UNIT_SYSTEM_ENGLISH); /* lbf by ft */
+    g_assert_cmpstr(pounds, ==, "1 ft·lbf");
     g_autofree char *huge = tinker_quantity_format(-DBL_MAX, length, NULL, TINKER_UNIT_SYSTEM_SI, 99);
     g_assert_cmpuint(strlen(huge), ==, 1 + 309 + 1 + 20 + 2);
 }

@@ -77,6 +77,15 @@ char *tinker_quantity_brief(double si, TinkerDimension dimension, TinkerUnitSyst
     return number_with_unit(g_ascii_formatd(number, sizeof number, "%.4g", si / factor), shown);
 }
 
+char *tinker_load_brief(double si, gboolean is_torque, TinkerUnitSystem system)
+{
+    static const TinkerDimension force = {1, 1, -2, 0}, torque = {1, 2, -2, 0};
+    g_autofree char *size = tinker_quantity_brief(fabs(si), is_torque ? torque : force, system);
+    const gboolean joules = g_str_has_suffix(size, "J"); /* of energies alone */
+    if (joules) size[strlen(size) - 1] = '\0';
+    return g_strconcat(si < 0 ? "−" : "", size, joules ? "N·m" : "", NULL);
+}
+
 char *tinker_quantity_to_text(double si, TinkerDimension dimension, TinkerUnitSystem system)
 {
     char number[32];

@@ -59,6 +59,10 @@ char *tinker_quantity_format(double si, TinkerDimension dimension, const char *u
 /* A value within a sentence or on a picture: four significant digits and the unit, "2.6 m/s". (transfer full) */
 char *tinker_quantity_brief(double si, TinkerDimension dimension, TinkerUnitSystem system);
 
+/* A force (N) or a torque (N m) beside an arrow or beneath a term: as brief, with a minus as it is printed, "−12.5
+ * N·m". (transfer full) */
+char *tinker_load_brief(double si, gboolean is_torque, TinkerUnitSystem system);
+
 /* A value for a file: the shortest decimal number which, read back with its unit, gives the same bits, and the unit:
  * "12 in". Falls back to a plain SI number where no decimal does. (transfer full) */
 char *tinker_quantity_to_text(double si, TinkerDimension dimension, TinkerUnitSystem system);

@@ -102,22 +102,19 @@ char *diagram_quantity(const DiagramDrawing *drawing, double value, TinkerDimens
     return tinker_quantity_brief(value, dimension, tinker_scene_head(drawing->scene)->units);
 }
 
-/* With a minus as it is printed. */
-char *diagram_force_text(const DiagramDrawing *drawing, double newtons)
+static char *load_text(const DiagramDrawing *drawing, double si, gboolean is_torque)
 {
-    static const TinkerDimension dimension = TINKER_DIMENSION_FORCE;
-    g_autofree char *size = diagram_quantity(drawing, fabs(newtons), dimension);
-    return g_strconcat(newtons < 0 ? "−" : "", size, NULL);
+    return tinker_load_brief(si, is_torque, tinker_scene_head(drawing->scene)->units);
 }
 
-/* Joules are a unit of energy alone. */
+char *diagram_force_text(const DiagramDrawing *drawing, double newtons)
+{
+    return load_text(drawing, newtons, FALSE);
+}
+
 char *diagram_torque_text(const DiagramDrawing *drawing, double newton_metres)
 {
-    static const TinkerDimension dimension = TINKER_DIMENSION_ENERGY;
-    g_autofree char *size = diagram_quantity(drawing, fabs(newton_metres), dimension);
-    const gboolean joules = g_str_has_suffix(size, "J");
-    if (joules) size[strlen(size) - 1] = '\0';
-    return g_strconcat(newton_metres < 0 ? "−" : "", size, joules ? "N·m" : "", NULL);
+    return load_text(drawing, newton_metres, TRUE);
 }
 
 TinkerArrowKind diagram_arrow_kind(TinkerTermKind kind)

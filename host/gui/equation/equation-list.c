@@ -53,10 +53,11 @@ void tinker_equation_list_add(GtkWidget *box, TinkerDocument *document, const Ti
     if (has_comment) tinker_equation_list_add_text(box, shown->comment, "caption");
 }
 
-void tinker_equation_list_show_values(GtkWidget *box, const GArray *forces, TinkerUnitSystem units, gboolean tell)
+void tinker_equation_list_show_values(GtkWidget *box, const TinkerModelState *state, TinkerUnitSystem units,
+                                      gboolean tell)
 {
     for (GtkWidget *row = gtk_widget_get_first_child(box); row != NULL; row = gtk_widget_get_next_sibling(row))
-        if (TINKER_IS_EQUATION_ROW(row)) tinker_equation_row_show_values(TINKER_EQUATION_ROW(row), forces, units, tell);
+        if (TINKER_IS_EQUATION_ROW(row)) tinker_equation_row_show_values(TINKER_EQUATION_ROW(row), state, units, tell);
 }
 
 char *tinker_equation_lines_written(const GPtrArray *lines)

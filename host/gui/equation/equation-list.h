@@ -16,7 +16,8 @@ void tinker_equation_list_add(GtkWidget *box, TinkerDocument *document, const Ti
                               const TinkerEquationLine *spoken);
 
 /* See tinker_equation_row_show_values. */
-void tinker_equation_list_show_values(GtkWidget *box, const GArray *forces, TinkerUnitSystem units, gboolean tell);
+void tinker_equation_list_show_values(GtkWidget *box, const TinkerModelState *state, TinkerUnitSystem units,
+                                      gboolean tell);
 
 /* All equations as one text, without the values below them: of another text they are others. (transfer full) */
 char *tinker_equation_lines_written(const GPtrArray *lines);

@@ -4,7 +4,6 @@
 #include <math.h>
 
 #include "gui/widget/unparent.h"
-#include "physics/run/acting-forces.h"
 
 #define LINE_GAP 4
 #define TERM_GAP 2
@@ -140,32 +139,59 @@ static gboolean is_of(const TinkerActingForce *force, const Term *term, TinkerBl
     return force->kind != TINKER_ACTING_NORMAL && force->kind != TINKER_ACTING_FRICTION;
 }
 
-/* Terms of one block and kind, as of a rope that runs over a wheel, share their force: the first one has it. */
-static gboolean is_first(const TinkerEquationRow *row, guint number)
+static gboolean shares_force(const Term *term, const Term *other)
 {
-    const Term *term = &g_array_index(row->terms, Term, number);
-    for (guint i = 0; i < number; i++) {
-        const Term *other = &g_array_index(row->terms, Term, i);
-        if (other->block == term->block && other->kind == term->kind) return FALSE;
-    }
-    return TRUE;
+    return other->block == term->block && other->kind == term->kind;
 }
 
-void tinker_equation_row_show_values(TinkerEquationRow *row, const GArray *forces, TinkerUnitSystem units,
+/* How many terms before this one, and how many in all, stand for one force: of a rope that runs over a wheel, or the
+ * two of a moment, r_x F_y and r_y F_x. */
+static guint count_sharing(const TinkerEquationRow *row, guint number, guint *before)
+{
+    const Term *term = &g_array_index(row->terms, Term, number);
+    guint count = 0;
+    *before = 0;
+    for (guint i = 0; i < row->terms->len; i++) {
+        if (!shares_force(term, &g_array_index(row->terms, Term, i))) continue;
+        count++;
+        if (i < number) ++*before;
+    }
+    return count;
+}
+
+/* What the terms of one force add up to: N, of the third equation N m about the centre of the body. */
+static double sum_of(const TinkerEquationRow *row, const Term *term, const TinkerModelState *state)
+{
+    double sum = 0;
+    for (guint k = 0; k < state->forces->len; k++) {
+        const TinkerActingForce *force = &g_array_index(state->forces, TinkerActingForce, k);
+        if (!is_of(force, term, row->body)) continue;
+        const double parts[] = {force->fx, force->fy, tinker_model_state_moment(state, force)};
+        sum += parts[row->component];
+    }
+    return sum;
+}
+
+/* What stands beneath a term: nothing but beneath the first of those that share their force, with a sum sign where
+ * there are more. (transfer full) */
+static char *value_of(const TinkerEquationRow *row, guint number, const TinkerModelState *state, TinkerUnitSystem units)
+{
+    guint before;
+    const guint count = count_sharing(row, number, &before);
+    if (before > 0) return NULL;
+    const double sum = sum_of(row, &g_array_index(row->terms, Term, number), state);
+    g_autofree char *text = tinker_load_brief(sum, row->component == 2, units);
+    return g_strconcat(count > 1 ? "Σ " : "", text, NULL);
+}
+
+void tinker_equation_row_show_values(TinkerEquationRow *row, const TinkerModelState *state, TinkerUnitSystem units,
                                      gboolean tell)
 {
-    static const TinkerDimension dimension = TINKER_DIMENSION_FORCE;
-    const gboolean shows = forces != NULL && (row->component == 0 || row->component == 1);
+    const gboolean shows = state != NULL && row->component >= 0;
     for (guint i = 0; i < row->terms->len; i++) {
         const Term *term = &g_array_index(row->terms, Term, i);
-        double sum = 0;
+        g_autofree char *value = shows ? value_of(row, i, state, units) : NULL;
         tinker_equation_term_show_value(term->term, shows);
-        for (guint k = 0; shows && k < forces->len; k++) {
-            const TinkerActingForce *force = &g_array_index(forces, TinkerActingForce, k);
-            if (is_of(force, term, row->body)) sum += row->component == 0 ? force->fx : force->fy;
-        }
-        g_autofree char *size = shows && is_first(row, i) ? tinker_quantity_brief(fabs(sum), dimension, units) : NULL;
-        g_autofree char *value = size != NULL ? g_strconcat(sum < 0 ? "−" : "", size, NULL) : NULL;
         tinker_equation_term_set_value(term->term, value, tell);
     }
 }

@@ -3,6 +3,7 @@
 #ifndef TINKER_GUI_EQUATION_ROW_H
 #define TINKER_GUI_EQUATION_ROW_H
 
+#include "equations/state/model-state.h"
 #include "equations/write/lines.h"
 #include "gui/equation/equation-term.h"
 
@@ -14,9 +15,8 @@ G_DECLARE_FINAL_TYPE(TinkerEquationRow, tinker_equation_row, TINKER, EQUATION_RO
 GtkWidget *tinker_equation_row_new(TinkerDocument *document, const TinkerEquationLine *shown,
                                    const TinkerEquationLine *spoken);
 
-/* The values beneath the terms of a body's equation: by the forces now, of TinkerActingForce; NULL: none are shown.
- * `tell` as for terms. */
-void tinker_equation_row_show_values(TinkerEquationRow *row, const GArray *forces, TinkerUnitSystem units,
+/* The values beneath the terms of a body's equation, by the state now; NULL: none are shown. `tell` as for terms. */
+void tinker_equation_row_show_values(TinkerEquationRow *row, const TinkerModelState *state, TinkerUnitSystem units,
                                      gboolean tell);
 
 #endif

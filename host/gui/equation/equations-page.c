@@ -76,11 +76,10 @@ static GPtrArray *lines_of(TinkerEquationsPage *page, const TinkerModelResult *r
 static void update_values(TinkerEquationsPage *page)
 {
     const TinkerModelResult *result = tinker_model_task_result(page->task);
-    const gboolean shown = shows_values(page) && form_of(page) == NEWTON && result != NULL && result->state != NULL;
-    const GArray *forces = shown ? result->state->forces : NULL;
+    const gboolean shown = shows_values(page) && form_of(page) == NEWTON && result != NULL;
     const TinkerUnitSystem units = tinker_scene_head(tinker_document_scene(page->document))->units;
     const gboolean tell = !is_playing(page); /* else it would never end */
-    tinker_equation_list_show_values(page->rows, forces, units, tell);
+    tinker_equation_list_show_values(page->rows, shown ? result->state : NULL, units, tell);
 }
 
 static void clear_rows(TinkerEquationsPage *page)

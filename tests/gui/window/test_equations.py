@@ -108,6 +108,19 @@ def test_values_beneath_the_terms(display):
             wait(lambda: app.look("image", name, description=value), f"{name}: {value}")
 
 
+def test_values_beneath_the_terms_of_a_moment(display):
+    """A spring that is longer by 1 m pulls up at the rim, 0.5 m beside the middle: 25 N at 0.5 m, in two terms for one
+    force, which stands beneath the first of them as a sum."""
+    wheel = {"type": "disc", "name": "Wheel", "position": [0, 0], "mass": 2, "radius": 0.5}
+    content = scene(GRAVITY, support("Wall", 0.5, 3, solid=False), wheel,
+                    spring("Spring", "Wall", {"block": "Wheel", "at": [0.5, 0]}, stiffness=25, rest_length=2))
+    with App(display, content) as app:
+        open_page(app)
+        app.click("Values", role="check box")
+        moments = re.compile("^Spring: .*r.* times .*T")
+        wait(lambda: app.look("image", moments, description="Σ 12.5 N·m"), "the moment")
+
+
 def test_selected_body_has_diagram_and_books(display):
     with App(display, hanging()) as app:
         open_page(app)
