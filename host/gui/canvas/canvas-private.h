@@ -79,6 +79,14 @@ void canvas_to_world(TinkerCanvas *canvas, double x, double y, double world[2]);
 void canvas_describe_view(TinkerCanvas *canvas);
 void canvas_view_changed(TinkerCanvas *canvas);
 
+/* Names are placed anew. canvas-fit.c. */
+void canvas_renew_memory(TinkerCanvas *canvas);
+/* The view of a canvas of this size (widget units): first the scene, then the same as before. canvas-fit.c. */
+void canvas_set_size(TinkerCanvas *canvas, int width, int height);
+
+/* Paints all of it and tells of drawings with faults; canvas-paint.c. */
+void canvas_snapshot(TinkerCanvas *canvas, GtkSnapshot *snapshot);
+
 /* What lies over the canvas, in units that are larger by a factor, as texts without words: what names keep clear of.
  * (transfer full) */
 GPtrArray *canvas_panels(TinkerCanvas *canvas, double factor);

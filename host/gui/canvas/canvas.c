@@ -1,22 +1,12 @@
-/* The canvas paints into an image of its own and shows that. */
+/* The canvas as a widget: what it listens to, its switches, its life. */
 #include "gui/canvas/canvas-private.h"
 
 #include <glib/gi18n.h>
-#include <math.h>
-#include <string.h>
 
-#include "gui/text/block-words.h"
 #include "gui/widget/desktop-theme.h"
-#include "gui/widget/image-texture.h"
 #include "gui/widget/unparent.h"
-#include "render/draw/text.h"
 
-#define GHOST        0.3 /* how much of a run that is kept is seen, */
-#define OVER         0.7 /* and of what is shown over the scene */
-#define MOST_FACTOR  1e4 /* of arrows of forces */
-#define FIT_MARGIN   48.0
-#define NOTICE       48.0 /* widget units: a notice over the top, of which the margin leaves no room for as much */
-#define CANVAS_SHAPE 0.6  /* height of a canvas over its width, where only that is known */
+#define MOST_FACTOR 1e4 /* of arrows of forces */
 
 G_DEFINE_FINAL_TYPE(TinkerCanvas, tinker_canvas, GTK_TYPE_WIDGET)
 
@@ -37,337 +27,6 @@ enum {
 };
 static GParamSpec *properties[PROPERTIES];
 
-/* The view ------------------------------------------------------------------------------------------------------------
- */
-
-void tinker_canvas_zoom(TinkerCanvas *canvas, double factor)
-{
-    tinker_view_zoom(&canvas->view, factor, canvas->view.width / 2, canvas->view.height / 2);
-    canvas_view_changed(canvas);
-}
-
-void tinker_canvas_scale_forces(TinkerCanvas *canvas, double factor)
-{
-    canvas->force_factor = CLAMP(factor * canvas->force_factor, 1 / MOST_FACTOR, MOST_FACTOR);
-    gtk_widget_queue_draw(GTK_WIDGET(canvas));
-}
-
-/* `above` widget units at the top stay free. */
-static void show_box(TinkerCanvas *canvas, const double box[4], double margin, double above)
-{
-    double width = canvas->view.width, height = canvas->view.height;
-    if (!(width > 0) || !(height > above)) return;
-    canvas->view = tinker_view_fit(box, width, height - above, margin);
-    tinker_view_pan(&canvas->view, 0, above);
-    canvas->view.height = height;
-    canvas->view_is_set = TRUE;
-    canvas_view_changed(canvas);
-}
-
-/* As show_box; when the canvas gets another size it shows the same, as long as nobody looks elsewhere meanwhile. */
-static void fit_box(TinkerCanvas *canvas, const double box[4], double margin, double above)
-{
-    show_box(canvas, box, margin, above);
-    memmove(canvas->fitted, box, sizeof canvas->fitted);
-    canvas->fitted_margin = margin;
-    canvas->fitted_above = above;
-    canvas->view_is_fitted = TRUE;
-}
-
-/* What stays free at the top: the place of a notice of one line, or of the one that is there. */
-static double room_above(const TinkerCanvas *canvas)
-{
-    return fmax(NOTICE, canvas_seen_from(canvas));
-}
-
-/* Graphs that float are part of what there is to see. */
-static void include_graphs(TinkerScene *scene, double box[4])
-{
-    GPtrArray *graphs = tinker_scene_graphs(scene);
-    for (guint i = 0; i < graphs->len; i++) {
-        const TinkerSceneGraph *graph = g_ptr_array_index(graphs, i);
-        double width = graph->has_size ? graph->size[0] : 0, height = graph->has_size ? graph->size[1] : 0;
-        if (!graph->has_place) continue;
-        box[0] = fmin(box[0], graph->place[0]);
-        box[1] = fmin(box[1], graph->place[1] - height);
-        box[2] = fmax(box[2], graph->place[0] + width);
-        box[3] = fmax(box[3], graph->place[1]);
-    }
-}
-
-/* The box of everything there is to see; FALSE where there is none. */
-static gboolean box_of_all(TinkerCanvas *canvas, double box[4])
-{
-    TinkerFrame *frame = tinker_player_frame(canvas->player);
-    if (frame == NULL) return FALSE;
-    tinker_painter_bounds(frame, box);
-    include_graphs(tinker_frame_scene(frame), box);
-    return TRUE;
-}
-
-void tinker_canvas_fit(TinkerCanvas *canvas)
-{
-    double box[4];
-    if (box_of_all(canvas, box)) fit_box(canvas, box, FIT_MARGIN, room_above(canvas));
-}
-
-double tinker_canvas_covered(TinkerCanvas *canvas)
-{
-    return canvas_seen_from(canvas);
-}
-
-/* Shows the same below what lies over it, where that covers something of the scene. */
-static gboolean keep_below_cover(gpointer data)
-{
-    TinkerCanvas *canvas = data;
-    double box[4], x, top;
-    canvas->keeping_below = 0;
-    if (canvas->covered_told != canvas_seen_from(canvas)) {
-        canvas->covered_told = canvas_seen_from(canvas);
-        g_signal_emit_by_name(canvas, "view-changed");
-    }
-    if (room_above(canvas) <= canvas->fitted_above) return G_SOURCE_REMOVE;
-    if (!canvas->view_is_fitted || canvas->gesture != CANVAS_IDLE || !box_of_all(canvas, box)) return G_SOURCE_REMOVE;
-    tinker_view_to_canvas(&canvas->view, 0, box[3], &x, &top);
-    if (top < canvas_seen_from(canvas)) fit_box(canvas, canvas->fitted, canvas->fitted_margin, room_above(canvas));
-    return G_SOURCE_REMOVE;
-}
-
-void tinker_canvas_cover_placed(TinkerCanvas *canvas)
-{
-    gtk_widget_queue_draw(GTK_WIDGET(canvas));
-    /* not while widgets get their places */
-    if (canvas->keeping_below == 0)
-        canvas->keeping_below = g_idle_add_full(G_PRIORITY_DEFAULT, keep_below_cover, canvas, NULL);
-}
-
-void tinker_canvas_show_width(TinkerCanvas *canvas)
-{
-    double half = tinker_scene_head(tinker_document_scene(canvas->document))->canvas_width / 2;
-    show_box(canvas, (double[]){-half, 0, half, 0}, 0, 0);
-}
-
-/* Widens a range about its middle. */
-static void widen(double *low, double *high, double length)
-{
-    double room = (length - (*high - *low)) / 2;
-    if (room <= 0) return;
-    *low -= room;
-    *high += room;
-}
-
-static void renew_memory(TinkerCanvas *canvas)
-{
-    tinker_paint_memory_free(canvas->memory);
-    canvas->memory = tinker_paint_memory_new();
-}
-
-/* A scene is first shown as wide as it says, because it will move, and wholly; an empty one as wide as it says. */
-void tinker_canvas_show_first(TinkerCanvas *canvas)
-{
-    double box[4], canvas_width = tinker_scene_head(tinker_document_scene(canvas->document))->canvas_width;
-    renew_memory(canvas);
-    if (tinker_document_is_empty(canvas->document) || !box_of_all(canvas, box)) {
-        tinker_canvas_show_width(canvas);
-        return;
-    }
-    widen(&box[0], &box[2], canvas_width);
-    widen(&box[1], &box[3], CANVAS_SHAPE * canvas_width);
-    fit_box(canvas, box, 0, room_above(canvas));
-}
-
-static void tinker_canvas_size_allocate(GtkWidget *widget, int width, int height, int baseline)
-{
-    TinkerCanvas *canvas = TINKER_CANVAS(widget);
-    /* Menus ask for another size through their parent. */
-    for (GtkWidget *child = gtk_widget_get_first_child(widget); child != NULL;
-         child = gtk_widget_get_next_sibling(child))
-        if (GTK_IS_POPOVER(child)) gtk_popover_present(GTK_POPOVER(child));
-    if (width == (int)canvas->view.width && height == (int)canvas->view.height) return;
-    tinker_view_pan(&canvas->view, (width - canvas->view.width) / 2, (height - canvas->view.height) / 2);
-    canvas->view.width = width;
-    canvas->view.height = height;
-    if (!canvas->view_is_set && canvas->document != NULL)
-        tinker_canvas_show_first(canvas);
-    else if (canvas->view_is_fitted)
-        fit_box(canvas, canvas->fitted, canvas->fitted_margin, fmin(canvas->fitted_above, room_above(canvas)));
-    else
-        canvas_view_changed(canvas);
-}
-
-/* Painting ------------------------------------------------------------------------------------------------------------
- */
-
-/* What is pointed at somewhere else. */
-static TinkerBlockId lit_block(TinkerCanvas *canvas)
-{
-    return canvas->points ? TINKER_NO_BLOCK : tinker_document_pointed(canvas->document);
-}
-
-static TinkerPaintOptions paint_options(TinkerCanvas *canvas)
-{
-    TinkerPaintOptions options = tinker_paint_options_default();
-    options.theme = tinker_desktop_theme();
-    options.show_labels = canvas->show_labels && !canvas->show_forces; /* arrows have labels of their own */
-    options.show_grid = canvas->show_grid;
-    options.show_local_origins = canvas->show_local_origins;
-    options.highlighted = canvas->highlighted != TINKER_NO_BLOCK ? canvas->highlighted : lit_block(canvas);
-    options.selected = tinker_document_selection(canvas->document, &options.selected_count);
-    options.quick = TRUE;
-    options.memory = canvas->memory;
-    options.faults = canvas->faults;
-    return options;
-}
-
-static void paint_band(TinkerCanvas *canvas, cairo_t *cairo, const TinkerTheme *theme)
-{
-    const double *colour = theme->colours[TINKER_COLOUR_SELECTED];
-    cairo_rectangle(cairo, canvas->press[0], canvas->press[1], canvas->pointer[0] - canvas->press[0],
-                    canvas->pointer[1] - canvas->press[1]);
-    cairo_set_source_rgba(cairo, colour[0], colour[1], colour[2], 0.15);
-    cairo_fill_preserve(cairo);
-    cairo_set_source_rgba(cairo, colour[0], colour[1], colour[2], 0.9);
-    cairo_set_line_width(cairo, 1);
-    cairo_stroke(cairo);
-}
-
-/* The view in units of what is drawn larger. */
-static TinkerView larger(const TinkerView *view, double factor)
-{
-    return (TinkerView){.scale = view->scale / factor,
-                        .origin_x = view->origin_x / factor,
-                        .origin_y = view->origin_y / factor,
-                        .width = view->width / factor,
-                        .height = view->height / factor,
-                        .covered = view->covered / factor};
-}
-
-/* A frame as a ghost over the scene, of which `alpha` is seen. */
-static void paint_ghost(TinkerCanvas *canvas, cairo_t *cairo, TinkerFrame *frame, double alpha,
-                        const TinkerPaintOptions *as)
-{
-    TinkerPaintOptions options = *as;
-    TinkerTheme theme = *as->theme;
-    theme.background[3] = theme.colours[TINKER_COLOUR_FIELD][3] = theme.colours[TINKER_COLOUR_TEXT][3] = 0;
-    options.theme = &theme;
-    options.show_grid = options.show_labels = options.show_local_origins = FALSE;
-    options.highlighted = TINKER_NO_BLOCK;
-    options.selected_count = 0;
-    options.memory = NULL;
-    options.texts = NULL;
-    cairo_push_group(cairo);
-    tinker_paint_scene(cairo, frame, &canvas->view, &options);
-    cairo_pop_group_to_source(cairo);
-    cairo_paint_with_alpha(cairo, alpha);
-}
-
-/* Where runs that are kept are at this time, and what is shown over the scene. */
-static void paint_ghosts(TinkerCanvas *canvas, cairo_t *cairo, const TinkerPaintOptions *as)
-{
-    TinkerKeptRuns *runs = tinker_player_kept(canvas->player);
-    for (guint i = 0; i < tinker_kept_runs_count(runs); i++) {
-        TinkerFrame *frame = tinker_kept_run_frame(tinker_kept_runs_at(runs, i), tinker_player_time(canvas->player));
-        if (frame != NULL) paint_ghost(canvas, cairo, frame, GHOST, as);
-    }
-    if (canvas->over != NULL) paint_ghost(canvas, cairo, canvas->over, OVER, as);
-}
-
-/* Forces, vectors and trails over the scene that was painted with these options. */
-static void paint_arrows(TinkerCanvas *canvas, cairo_t *cairo, const TinkerPaintOptions *as, TinkerBlockId lit)
-{
-    const CanvasForcesLook look = {.theme = as->theme,
-                                   .factor = canvas->force_factor,
-                                   .lit = lit,
-                                   .others = !canvas->this_body_only,
-                                   .forces = canvas->show_forces,
-                                   .trails = canvas->show_trails,
-                                   .vectors = canvas->show_vectors,
-                                   .texts = as->texts};
-    canvas_forces_draw(canvas->forces, cairo, canvas->document, canvas->player, &canvas->view, &look);
-}
-
-static void paint(TinkerCanvas *canvas, cairo_t *cairo)
-{
-    g_autoptr(GPtrArray) texts = NULL;
-    TinkerFrame *frame = tinker_player_frame(canvas->player);
-    TinkerPaintOptions options = paint_options(canvas);
-    if (frame == NULL) return;
-    canvas->view.covered = canvas_seen_from(canvas);
-    const TinkerView seen = canvas->view;
-    const double factor = canvas_magnification(canvas);
-    texts = canvas_panels(canvas, factor);
-    cairo_save(cairo);
-    cairo_scale(cairo, factor, factor);
-    canvas->view = larger(&seen, factor);
-    options.texts = texts;
-    tinker_paint_scene(cairo, frame, &canvas->view, &options);
-    paint_ghosts(canvas, cairo, &options);
-    canvas_paint_marks(canvas, cairo, frame, options.theme, texts);
-    paint_arrows(canvas, cairo, &options, lit_block(canvas));
-    canvas_paint_edge_marks(canvas, cairo, frame, options.theme); /* over the key of the forces */
-    canvas->view = seen;
-    cairo_restore(cairo);
-    if (canvas->gesture == CANVAS_BAND && canvas->moved) paint_band(canvas, cairo, options.theme);
-}
-
-void tinker_canvas_draw_for_paper(TinkerCanvas *canvas, cairo_t *cairo)
-{
-    TinkerFrame *frame = tinker_player_frame(canvas->player);
-    TinkerPaintOptions options = paint_options(canvas);
-    g_autoptr(GPtrArray) texts = NULL;
-    if (frame == NULL) return;
-    options.theme = tinker_theme_find("light");
-    options.highlighted = TINKER_NO_BLOCK;
-    options.selected_count = 0;
-    options.quick = FALSE;
-    options.memory = NULL;
-    options.faults = NULL;
-    canvas->view.covered = 0; /* no notice lies over it there */
-    options.texts = texts = canvas_panels(canvas, 1);
-    tinker_paint_scene(cairo, frame, &canvas->view, &options);
-    paint_arrows(canvas, cairo, &options, TINKER_NO_BLOCK);
-}
-
-GList *tinker_canvas_faults(TinkerCanvas *canvas)
-{
-    return g_hash_table_get_values(canvas->faults);
-}
-
-static gboolean tell_faults(gpointer data)
-{
-    TinkerCanvas *canvas = data;
-    canvas->telling = 0;
-    g_signal_emit_by_name(canvas, "faults");
-    return G_SOURCE_REMOVE;
-}
-
-/* Not while the window is drawn: whoever is told of it shows it. */
-static void look_for_faults(TinkerCanvas *canvas)
-{
-    const guint count = g_hash_table_size(canvas->faults);
-    if (count == canvas->faults_told || canvas->telling != 0) return;
-    canvas->faults_told = count;
-    canvas->telling = g_idle_add(tell_faults, canvas);
-}
-
-static void tinker_canvas_snapshot(GtkWidget *widget, GtkSnapshot *snapshot)
-{
-    TinkerCanvas *canvas = TINKER_CANVAS(widget);
-    if (canvas->player == NULL || !(canvas->view.width > 0) || !(canvas->view.height > 0)) return;
-    cairo_surface_t *image =
-        tinker_image_new((int)canvas->view.width, (int)canvas->view.height, gtk_widget_get_scale_factor(widget));
-    cairo_t *cairo = cairo_create(image);
-    paint(canvas, cairo);
-    look_for_faults(canvas);
-    cairo_destroy(cairo);
-    g_autoptr(GdkTexture) texture = tinker_image_to_texture(image);
-    graphene_rect_t bounds = GRAPHENE_RECT_INIT(0, 0, (float)canvas->view.width, (float)canvas->view.height);
-    gtk_snapshot_append_texture(snapshot, texture, &bounds);
-}
-
-/* The widget ----------------------------------------------------------------------------------------------------------
- */
-
 static void on_replaced(TinkerCanvas *canvas)
 {
     canvas_cancel_gesture(canvas);
@@ -375,7 +34,7 @@ static void on_replaced(TinkerCanvas *canvas)
     g_array_set_size(canvas->marked, 0);
     canvas->velocity_scale = 0;
     canvas_forces_forget(canvas->forces);
-    renew_memory(canvas);
+    canvas_renew_memory(canvas);
     canvas->view_is_set = FALSE;
 }
 
@@ -403,7 +62,7 @@ static void on_changed(TinkerCanvas *canvas)
 {
     if (!canvas->view_is_set) tinker_canvas_show_first(canvas);
     /* Names stay on their side while things move; what was edited may need another. */
-    if (canvas->gesture == CANVAS_IDLE && canvas->placing == TINKER_NO_BLOCK) renew_memory(canvas);
+    if (canvas->gesture == CANVAS_IDLE && canvas->placing == TINKER_NO_BLOCK) canvas_renew_memory(canvas);
     gtk_widget_queue_draw(GTK_WIDGET(canvas));
 }
 
@@ -438,6 +97,15 @@ void tinker_canvas_set_marked(TinkerCanvas *canvas, const TinkerBlockId *blocks,
     if (count > 0) g_array_append_vals(canvas->marked, blocks, (guint)count);
     gtk_widget_queue_draw(GTK_WIDGET(canvas));
 }
+
+void tinker_canvas_scale_forces(TinkerCanvas *canvas, double factor)
+{
+    canvas->force_factor = CLAMP(factor * canvas->force_factor, 1 / MOST_FACTOR, MOST_FACTOR);
+    gtk_widget_queue_draw(GTK_WIDGET(canvas));
+}
+
+/* The switches --------------------------------------------------------------------------------------------------------
+ */
 
 static gboolean *switch_of(TinkerCanvas *canvas, guint property)
 {
@@ -475,9 +143,27 @@ static void tinker_canvas_get_property(GObject *object, guint property, GValue *
 static void tinker_canvas_set_property(GObject *object, guint property, const GValue *value, GParamSpec *spec)
 {
     *switch_of(TINKER_CANVAS(object), property) = g_value_get_boolean(value);
-    if (property == PROP_LARGE && TINKER_CANVAS(object)->document != NULL) renew_memory(TINKER_CANVAS(object));
+    if (property == PROP_LARGE && TINKER_CANVAS(object)->document != NULL) canvas_renew_memory(TINKER_CANVAS(object));
     if (property == PROP_FOLLOW && TINKER_CANVAS(object)->document != NULL) canvas_follow(TINKER_CANVAS(object));
     gtk_widget_queue_draw(GTK_WIDGET(object));
+}
+
+/* The widget ----------------------------------------------------------------------------------------------------------
+ */
+
+static void tinker_canvas_size_allocate(GtkWidget *widget, int width, int height, int baseline)
+{
+    TinkerCanvas *canvas = TINKER_CANVAS(widget);
+    /* Menus ask for another size through their parent. */
+    for (GtkWidget *child = gtk_widget_get_first_child(widget); child != NULL;
+         child = gtk_widget_get_next_sibling(child))
+        if (GTK_IS_POPOVER(child)) gtk_popover_present(GTK_POPOVER(child));
+    canvas_set_size(canvas, width, height);
+}
+
+static void tinker_canvas_snapshot(GtkWidget *widget, GtkSnapshot *snapshot)
+{
+    canvas_snapshot(TINKER_CANVAS(widget), snapshot);
 }
 
 static void tinker_canvas_dispose(GObject *object)
