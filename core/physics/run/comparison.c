@@ -10,8 +10,6 @@
 #include <string.h>
 
 #include "physics/compile/compile.h"
-#include "physics/event/contact-run.h"
-#include "physics/impulse/impulse.h"
 #include "physics/island/island-run.h"
 #include "physics/model/model-data.h"
 #include "physics/record/columns.h"
@@ -20,11 +18,6 @@
 #include "physics/run/tolerances.h"
 #include "physics/system/method-call.h"
 
-/* Near an impact, in steps, where an impact is one of a whole step. */
-#define STEPS_NEAR_IMPACT 3
-/* One impact comes to the run and to its companion this much apart: so long after it they are taken to be
- * behind it. */
-#define BEHIND_IMPACT 2
 /* No step of an adaptive companion is longer than this share of the run's. */
 #define LONGEST_STEP 0.58
 /* us: so long a companion that nobody waits for any more has to catch up. */
@@ -143,67 +136,6 @@ void tinker_comparison_free(TinkerComparison *self)
 
 /* Distances -------------------------------------------------------------------------------------------------------- */
 
-TinkerImpacts tinker_impacts_of(const TinkerIslandRun *run)
-{
-    if (tinker_method_solves_contact(run->choice.method))
-        return (TinkerImpacts){tinker_impulse_last_impact(run->stepper), -INFINITY,
-                               STEPS_NEAR_IMPACT * run->choice.step};
-    if (run->contacts == NULL) return (TinkerImpacts){-INFINITY, -INFINITY, 0};
-    return (TinkerImpacts){tinker_contact_run_last_impact(run->contacts),
-                           tinker_contact_run_passed_impact(run->contacts), 0};
-}
-
-/* Within the reach of an impact the two may stand on its two sides, where velocities tell nothing. */
-static gboolean strikes_near(const TinkerImpacts *impacts, double t)
-{
-    return fabs(impacts->last - t) <= (impacts->within > 0 ? impacts->within : TINKER_NEAR_IMPACT * t);
-}
-
-/* An impact comes to the two at two instants; between them velocities tell nothing. */
-static gboolean strikes_between(const TinkerImpacts *impacts, const TinkerImpacts *others, double t)
-{
-    double ours = fmax(impacts->passed, 0), theirs = fmax(others->passed, 0);
-    return t <= fmax(ours, theirs) + BEHIND_IMPACT * fabs(ours - theirs);
-}
-
-/* Whether velocities tell anything at a point within a step: not near an impact. */
-static gboolean speeds_tell(const Part *part, const TinkerIslandRun *other, double t)
-{
-    const TinkerImpacts impacts = tinker_impacts_of(other);
-    if (part->impacts.last == -INFINITY && impacts.last == -INFINITY) return TRUE; /* nothing has struck yet */
-    return !strikes_near(&part->impacts, t) && !strikes_near(&impacts, t) &&
-           !strikes_between(&part->impacts, &impacts, t);
-}
-
-/* Of bodies' ways from one place to another, or of changes of their velocities. The largest of four lanes is that of
- * all, and none of them waits for another. */
-static double largest_square(int32_t bodies, const double *from, const double *to, double so_far)
-{
-    double largest[4] = {so_far, so_far, so_far, so_far};
-    int32_t i = 0;
-    for (; i + 4 <= bodies; i += 4)
-        for (int k = 0; k < 4; k++) {
-            const int32_t at = 2 * (i + k);
-            const double x = to[at] - from[at], y = to[at + 1] - from[at + 1], square = x * x + y * y;
-            largest[k] = square > largest[k] ? square : largest[k];
-        }
-    for (; i < bodies; i++) {
-        const double x = to[2 * i] - from[2 * i], y = to[2 * i + 1] - from[2 * i + 1], square = x * x + y * y;
-        largest[0] = square > largest[0] ? square : largest[0];
-    }
-    const double one = MAX(largest[0], largest[1]), other = MAX(largest[2], largest[3]);
-    return MAX(one, other);
-}
-
-/* Of a body that turns what its places turn by counts as well: its angle times its radius of gyration. */
-static double largest_way(const TinkerModel *model, const double *from, const double *to, double so_far)
-{
-    so_far = largest_square(model->bodies, from, to, so_far);
-    for (int32_t i = 2 * model->bodies; i < model->coordinates; i++)
-        so_far = MAX(so_far, (to[i] - from[i]) * (to[i] - from[i]));
-    return so_far;
-}
-
 /* Where the companion has come to a point, or past it where it is exact, which states within its steps are then,
  * too. */
 static void compare_at_point(TinkerComparison *self, Part *part, TinkerIslandRun *other)
@@ -218,8 +150,10 @@ static void compare_at_point(TinkerComparison *self, Part *part, TinkerIslandRun
         other_q = self->q;
         other_v = self->v;
     }
-    part->places = largest_way(other->model, q, other_q, part->places);
-    if (speeds_tell(part, other, t)) part->speeds = largest_way(other->model, q + n, other_v, part->speeds);
+    part->places = tinker_largest_way(other->model, q, other_q, part->places);
+    const TinkerImpacts impacts = tinker_impacts_of(other);
+    if (tinker_impacts_let_speeds_tell(&part->impacts, &impacts, t))
+        part->speeds = tinker_largest_way(other->model, q + n, other_v, part->speeds);
 }
 
 static void compare_samples(TinkerComparison *self, guint number, const TinkerIslandNews *news, const double *q,
@@ -228,12 +162,12 @@ static void compare_samples(TinkerComparison *self, guint number, const TinkerIs
     const TinkerIslandRuns *companion = self->companion;
     const TinkerIslandRun *other = g_ptr_array_index(companion->runs, number);
     const TinkerImpacts impacts = tinker_impacts_of(other);
-    const gboolean speeds = !strikes_near(&news->impacts, t) && !strikes_near(&impacts, t);
+    const gboolean speeds = !tinker_impacts_are_near(&news->impacts, t) && !tinker_impacts_are_near(&impacts, t);
     Part *part = &self->parts[number];
     for (int32_t i = 0; i < other->model->bodies; i++) {
         const int32_t body = 2 * other->island->body_of[i];
-        part->places = largest_square(1, q + body, companion->sample_q + body, part->places);
-        if (speeds) part->speeds = largest_square(1, v + body, companion->sample_v + body, part->speeds);
+        part->places = tinker_largest_square(1, q + body, companion->sample_q + body, part->places);
+        if (speeds) part->speeds = tinker_largest_square(1, v + body, companion->sample_v + body, part->speeds);
         const int32_t turn = tinker_model_turn_of(companion->model, body / 2);
         if (turn < 0) continue;
         const double way = companion->sample_q[turn] - q[turn], change = companion->sample_v[turn] - v[turn];

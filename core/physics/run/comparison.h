@@ -5,19 +5,13 @@
 #ifndef TINKER_CORE_COMPARISON_H
 #define TINKER_CORE_COMPARISON_H
 
+#include "physics/run/impacts.h"
 #include "physics/run/island-runs.h"
 
 /* Within one step. */
 #define TINKER_MOST_POINTS 3
 
 typedef enum { TINKER_NEWS_STEP, TINKER_NEWS_SAMPLE } TinkerNewsKind;
-
-/* When velocities jumped. */
-typedef struct {
-    double last;   /* s: at the latest, at the state or behind it; -INFINITY: never */
-    double passed; /* s: likewise, of those behind the state */
-    double within; /* s: it is known so well, where that is a matter of steps; else 0 */
-} TinkerImpacts;
 
 /* An island of the run has made a step, or is looked at once more within its last one. */
 typedef struct {
@@ -92,8 +86,5 @@ typedef struct {
     guint failure_place;
 } TinkerFindings;
 TinkerFindings *tinker_comparison_findings(TinkerComparison *comparison);
-
-/* Of an island, at its state. */
-TinkerImpacts tinker_impacts_of(const TinkerIslandRun *run);
 
 #endif
