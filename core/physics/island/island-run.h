@@ -114,6 +114,8 @@ TinkerStatus tinker_island_run_mark_valid(TinkerIslandRun *run);
 
 /* The error of a run that failed, and why (NULL or "" where nobody said). Answers FALSE. */
 gboolean tinker_island_run_fail(TinkerIslandRun *run, const char *why, GError **error);
+/* The same of a sample, which lies before the state. */
+gboolean tinker_island_run_fail_at(TinkerIslandRun *run, double t, const char *why, GError **error);
 /* Fails the run where the state is still that of the last good step: how far it is valid is not lost. */
 gboolean tinker_island_run_fail_step(TinkerIslandRun *run, const char *why, GError **error);
 

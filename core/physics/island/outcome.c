@@ -17,16 +17,22 @@ void tinker_island_run_add_event(TinkerIslandRun *run, const char *kind, const c
     g_ptr_array_add(run->summary.events, event);
 }
 
-gboolean tinker_island_run_fail(TinkerIslandRun *run, const char *why, GError **error)
+gboolean tinker_island_run_fail_at(TinkerIslandRun *run, double t, const char *why, GError **error)
 {
     TinkerSummary *summary = &run->summary;
-    summary->simulated_s = run->state.t;
+    summary->simulated_s = t;
+    summary->valid_until = fmin(summary->valid_until, t);
     g_set_error(
         error, TINKER_MODEL_ERROR, run->model->lacks_memory ? TINKER_MODEL_ERROR_MEMORY : TINKER_MODEL_ERROR_RUN,
-        _("the run stopped at t = %.6g s: %s; what was computed is to be believed up to t = %.6g s"), run->state.t,
+        _("the run stopped at t = %.6g s: %s; what was computed is to be believed up to t = %.6g s"), t,
         why != NULL && why[0] != '\0' ? why : _("a force or a constraint cannot be worked out there"),
         summary->valid_until);
     return FALSE;
+}
+
+gboolean tinker_island_run_fail(TinkerIslandRun *run, const char *why, GError **error)
+{
+    return tinker_island_run_fail_at(run, run->state.t, why, error);
 }
 
 TinkerStatus tinker_island_run_mark_valid(TinkerIslandRun *run)

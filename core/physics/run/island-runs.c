@@ -305,7 +305,7 @@ gboolean tinker_island_runs_advance(TinkerIslandRuns *self, double t, GError **e
         double end = steps_end(self, t);
         if (t > 0 && run->state.t == t && !tinker_island_run_pass_instant(run, end, error)) return FALSE;
         TinkerStatus status = collect(self, run, t);
-        if (status != TINKER_OK) return tinker_island_run_fail(run, run->model->failure, error);
+        if (status != TINKER_OK) return tinker_island_run_fail_at(run, t, run->model->failure, error);
         collect_orientations(self, run, t);
     }
     self->sample_time = t;
