@@ -13,6 +13,7 @@ gboolean tinker_model_compile_parts(TinkerModel *model, GError **error);
 
 /* Compiling: each adds its part to the model. */
 gboolean tinker_model_compile_bodies(TinkerModel *model, GError **error);
+gboolean tinker_model_compile_points(TinkerModel *model, GError **error);
 gboolean tinker_model_compile_forces(TinkerModel *model, GError **error);
 gboolean tinker_model_compile_constraints(TinkerModel *model, GError **error);
 gboolean tinker_model_check_start(TinkerModel *model, GError **error);

@@ -106,7 +106,9 @@ static gboolean take_scene(TinkerModel *model, GError **error)
 gboolean tinker_model_compile_parts(TinkerModel *model, GError **error)
 {
     enter_first_piece(model);
-    if (!tinker_model_compile_bodies(model, error) || !tinker_model_compile_forces(model, error)) return FALSE;
+    if (!tinker_model_compile_bodies(model, error) || !tinker_model_compile_points(model, error) ||
+        !tinker_model_compile_forces(model, error))
+        return FALSE;
     if (tinker_model_set_time(model, 0.0) == TINKER_OK) {
         tinker_model_set_state(model, model->q_start, model->v_start);
         tinker_model_place_angles(model);
