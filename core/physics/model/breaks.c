@@ -4,7 +4,7 @@
 
 #include "physics/model/breaks.h"
 #include "physics/model/model-data.h"
-#include "scene/frame/batch-breaks.h"
+#include "scene/frame/batch-waveforms.h"
 
 /* A run that needs more pieces than this of the size that they have would not end in a lifetime: so many of them in a
  * row are no pulse, but what goes on. */

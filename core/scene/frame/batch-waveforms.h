@@ -1,8 +1,11 @@
-/* What the last search for a break of a batch's waveforms went through. */
-#ifndef TINKER_CORE_BATCH_BREAKS_H
-#define TINKER_CORE_BATCH_BREAKS_H
+/* The waveforms of a batch, and what the last search for a break of them went through. */
+#ifndef TINKER_CORE_BATCH_WAVEFORMS_H
+#define TINKER_CORE_BATCH_WAVEFORMS_H
 
 #include "scene/frame/batch.h"
+
+/* Gives a new batch the evaluators of its waveforms. */
+void tinker_block_batch_copy_waveforms(TinkerBlockBatch *batch);
 
 /* The block whose break tinker_block_batch_next_break found. */
 int32_t tinker_block_batch_break_row(const TinkerBlockBatch *batch);
