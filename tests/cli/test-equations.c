@@ -268,7 +268,7 @@ static void test_motion_without_law(CliFixture *fixture, gconstpointer data)
     g_autofree char *command = g_strdup_printf("equations @scene.json --at 0 --plugins %s", plugins);
     g_autoptr(TestProgram) page = cli_run_well(fixture, command);
     g_autofree char *found = g_utf8_normalize(page->output, -1, G_NORMALIZE_DEFAULT_COMPOSE);
-    g_autofree char *rate = g_utf8_normalize("uẏ = 0.8 m/s", -1, G_NORMALIZE_DEFAULT_COMPOSE);
+    g_autofree char *rate = g_utf8_normalize("u̇y = 0.8 m/s", -1, G_NORMALIZE_DEFAULT_COMPOSE);
     cli_assert_holds(found, rate);
     cli_assert_holds(found, "T = 4 N\n");
     cli_assert_holds(found, "not written: Orbit 0 (its plugin states no law)");

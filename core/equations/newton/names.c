@@ -80,7 +80,7 @@ static void count_stems(TinkerEquationWriter *writer, TinkerBlockId block, const
     static const char *const of_supports[] = {"X",  "Y",  "φ",  "X0", "Y0", "φ0", "H", "N", "f",
                                               "µs", "µd", "s0", "σ",  "r",  "a",  "M", NULL};
     /* of what acts without a law, and of what moves so */
-    static const char *const of_unwritten[] = {"F", "τ", "ux", "uy", "uφ", NULL};
+    static const char *const of_unwritten[] = {"F", "τ", NULL}, *const of_motions[] = {"u", NULL};
     static const char *const of_lines[] = {"L", "T", NULL}, *const of_constraints[] = {"L", "λ", NULL};
     static const char *const of_others[] = {"V", "F", NULL};
     const TinkerLawRole role = tinker_law_role(block_class);
@@ -93,7 +93,8 @@ static void count_stems(TinkerEquationWriter *writer, TinkerBlockId block, const
         count_stem(writer, *stems);
     if (group == GROUP_BODIES) count_surface(writer, block);
     g_autoptr(TinkerBlockLaw) law = tinker_writer_law_of(writer, block, NULL);
-    for (stems = of_unwritten; law == NULL && group != GROUP_BODIES && *stems != NULL; stems++)
+    const gboolean moves = block_class->physics != NULL && block_class->physics->motion != NULL;
+    for (stems = moves ? of_motions : of_unwritten; law == NULL && group != GROUP_BODIES && *stems != NULL; stems++)
         count_stem(writer, *stems);
     for (guint i = 0; law != NULL && i < law->symbols->len; i++) {
         const TinkerLawSymbol *symbol = &g_array_index(law->symbols, TinkerLawSymbol, i);

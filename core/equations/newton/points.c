@@ -66,12 +66,18 @@ static void move_by_numbers(TinkerEquationWriter *writer, TinkerBlockId support,
     static const char *const means[MOVES] = {"displacement in x", "displacement in y", "turned by"};
     const TinkerPlace *place = tinker_frame_motion(writer->frame, support);
     if (place == NULL) return;
-    const TinkerSampledSymbol samples[MOVES] = {
-        {.stem = "ux", .values = {place->x, place->vx, place->ax}, .dimension = tinker_length_dimension},
-        {.stem = "uy", .values = {place->y, place->vy, place->ay}, .dimension = tinker_length_dimension},
-        {.stem = "uφ",
-         .values = {place->angle, place->rate, place->angular_acceleration},
-         .dimension = tinker_angle_dimension}};
+    const TinkerSampledSymbol samples[MOVES] = {{.stem = "u",
+                                                 .component = "x",
+                                                 .values = {place->x, place->vx, place->ax},
+                                                 .dimension = tinker_length_dimension},
+                                                {.stem = "u",
+                                                 .component = "y",
+                                                 .values = {place->y, place->vy, place->ay},
+                                                 .dimension = tinker_length_dimension},
+                                                {.stem = "u",
+                                                 .component = "φ",
+                                                 .values = {place->angle, place->rate, place->angular_acceleration},
+                                                 .dimension = tinker_angle_dimension}};
     for (int k = 0; k < (place->turns ? MOVES : TURNED); k++) {
         TinkerSampledSymbol sample = samples[k];
         sample.block = motion;

@@ -100,7 +100,7 @@ static TinkerExpression *velocity_of(const TinkerEquationWriter *writer, const c
 /* With a value and no more. */
 static TinkerExpression *valued_symbol(TinkerEquationWriter *writer, const TinkerSampledSymbol *is, const char *means)
 {
-    const char *name = tinker_writer_name(writer, is->block, is->stem, is->dots, NULL);
+    const char *name = tinker_writer_name(writer, is->block, is->stem, is->dots, is->component);
     tinker_writer_note_unwritten(writer, is->block, name, is->why);
     return tinker_writer_symbol(writer, name, is->block, is->values[is->dots], is->dimension, NULL, means);
 }

@@ -32,9 +32,10 @@ typedef struct {
  * symbols with values. */
 typedef struct {
     TinkerBlockId block;
-    const char *stem; /* static, or interned */
-    double values[3]; /* its own, and those of its derivatives */
-    int dots;         /* derivatives that this symbol stands for */
+    const char *stem;      /* static, or interned */
+    const char *component; /* "x", "y", "φ"; static; NULL: none */
+    double values[3];      /* its own, and those of its derivatives */
+    int dots;              /* derivatives that this symbol stands for */
     TinkerDimension dimension;
     const char *why;  /* it is not written */
     const char *rate; /* name of its derivative; NULL: nothing has asked for it yet */
