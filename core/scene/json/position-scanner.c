@@ -92,10 +92,31 @@ static gboolean fail_expected(Scanner *s, const char *expected)
                 from);
 }
 
+/* How many digits stand before a place. */
+static gsize digits_before(const Scanner *s, gsize at)
+{
+    gsize count = 0;
+    while (count < at && g_ascii_isdigit(s->text[at - count - 1]))
+        count++;
+    return count;
+}
+
+/* Whether it is behind the comma of "1,5", where a key should be. */
+static gboolean is_behind_decimal_comma(const Scanner *s)
+{
+    return s->at > 1 && g_ascii_isdigit(s->text[s->at]) && s->text[s->at - 1] == ',' && digits_before(s, s->at - 1) > 0;
+}
+
 static gboolean fail_key(Scanner *s)
 {
     const char *expected = _("a key in double quotes");
     gsize word = word_length(s);
+    if (word > 0 && is_behind_decimal_comma(s)) {
+        const gsize whole = digits_before(s, s->at - 1);
+        return fail(s, s->at - 1,
+                    _("not JSON: decimals stand behind a point, not a comma; did you mean \"%.*s.%.*s\"?"), (int)whole,
+                    s->text + s->at - 1 - whole, (int)word, s->text + s->at);
+    }
     if (word == 0) return fail_expected(s, expected);
     return fail(s, s->at, _("not JSON: %s was expected, found %.*s without quotes"), expected, (int)word,
                 s->text + s->at);
