@@ -26,7 +26,7 @@
 #define BAR_GAP      4.0 /* and a gap */
 #define MARGIN       3.0 /* between labels and the picture's edge */
 #define CELL         4.0
-#define LABEL_LIMIT  220.0
+#define LABEL_LIMIT  260.0
 
 #define HEAD_SHARE  0.8   /* symbols are no larger than this share of the arrow's length */
 #define SAME_WAY    0.995 /* cosine */
