@@ -1,75 +1,14 @@
 /* A list view over items that each hold the id of a block. The items are made anew only where blocks came, went,
  * changed places or names; what a row says beyond the name is asked for when it is shown, so that thousands of blocks
  * cost little. */
-#include "gui/canvas/outline.h"
-
 #include <glib/gi18n.h>
 #include <string.h>
 
-#include "gui/document/icon-guard.h"
-#include "gui/text/block-words.h"
-#include "gui/widget/desktop-theme.h"
+#include "gui/canvas/outline-private.h"
 #include "gui/widget/unparent.h"
 
-#define ICON_WIDTH    30
-#define ICON_HEIGHT   20
 #define SEARCH_FROM   8   /* blocks: fewer are seen at a glance */
 #define REFRESH_DELAY 100 /* ms: a drag need not be followed faster */
-
-/* Items ---------------------------------------------------------------------------------------------------------------
- */
-
-#define OUTLINE_TYPE_ITEM (outline_item_get_type())
-G_DECLARE_FINAL_TYPE(OutlineItem, outline_item, OUTLINE, ITEM, GObject)
-
-struct _OutlineItem {
-    GObject parent_instance;
-    TinkerBlockId block;
-    char *name;
-    char *folded; /* name and title of the type, for the search */
-};
-
-G_DEFINE_FINAL_TYPE(OutlineItem, outline_item, G_TYPE_OBJECT)
-
-static void outline_item_finalize(GObject *object)
-{
-    g_free(OUTLINE_ITEM(object)->name);
-    g_free(OUTLINE_ITEM(object)->folded);
-    G_OBJECT_CLASS(outline_item_parent_class)->finalize(object);
-}
-
-static void outline_item_class_init(OutlineItemClass *class)
-{
-    G_OBJECT_CLASS(class)->finalize = outline_item_finalize;
-}
-
-static void outline_item_init(OutlineItem *item) {}
-
-static OutlineItem *item_new(TinkerScene *scene, TinkerBlockId block)
-{
-    OutlineItem *item = g_object_new(OUTLINE_TYPE_ITEM, NULL);
-    item->block = block;
-    item->name = g_strdup(tinker_scene_block_name(scene, block));
-    g_autofree char *both = g_strdup_printf("%s %s", item->name, tinker_block_type_title(scene, block));
-    item->folded = g_utf8_casefold(both, -1);
-    return item;
-}
-
-/* The widget's parts
- * ---------------------------------------------------------------------------------------------------- */
-
-struct _TinkerOutline {
-    GtkWidget parent_instance;
-    TinkerDocument *document;
-    GtkWidget *search, *list, *count;
-    GListStore *items;
-    GtkFilter *filter;
-    GtkSelectionModel *selection;
-    GHashTable *rows; /* GtkListItem that are shown */
-    char *wanted;     /* what is searched for, folded; "" for everything */
-    gboolean mirroring;
-    guint refresh; /* id of the source that will refresh it, or 0 */
-};
 
 G_DEFINE_FINAL_TYPE(TinkerOutline, tinker_outline, GTK_TYPE_WIDGET)
 
@@ -79,88 +18,6 @@ static guint signals[SIGNALS];
 static TinkerScene *scene_of(TinkerOutline *outline)
 {
     return tinker_document_scene(outline->document);
-}
-
-/* Rows ----------------------------------------------------------------------------------------------------------------
- */
-
-static void draw_icon(GtkDrawingArea *area, cairo_t *cairo, int width, int height, gpointer data)
-{
-    TinkerOutline *outline = data;
-    GtkListItem *row = g_object_get_data(G_OBJECT(area), "row");
-    OutlineItem *item = gtk_list_item_get_item(row);
-    if (item == NULL || outline->document == NULL || !tinker_scene_has_block(scene_of(outline), item->block)) return;
-    const TinkerBlockClass *block_class = tinker_scene_block_class(scene_of(outline), item->block);
-    if (block_class != NULL) tinker_guarded_icon_paint(cairo, block_class, width, height, tinker_desktop_theme());
-}
-
-static GtkWidget *add_label(GtkWidget *box, const char *css_class)
-{
-    GtkWidget *label = gtk_label_new(NULL);
-    gtk_label_set_xalign(GTK_LABEL(label), 0);
-    gtk_label_set_ellipsize(GTK_LABEL(label), PANGO_ELLIPSIZE_END);
-    if (css_class != NULL) gtk_widget_add_css_class(label, css_class);
-    gtk_box_append(GTK_BOX(box), label);
-    return label;
-}
-
-/* The block under the pointer is what a menu is about, unless it is one of several that are selected. */
-static void on_right_click(GtkGestureClick *gesture, int presses, double x, double y, TinkerOutline *outline)
-{
-    GtkWidget *box = gtk_event_controller_get_widget(GTK_EVENT_CONTROLLER(gesture));
-    OutlineItem *item = gtk_list_item_get_item(g_object_get_data(G_OBJECT(box), "row"));
-    if (item == NULL || !tinker_scene_has_block(scene_of(outline), item->block)) return;
-    if (!tinker_document_is_selected(outline->document, item->block))
-        tinker_document_select(outline->document, item->block);
-    gtk_widget_translate_coordinates(box, GTK_WIDGET(outline), x, y, &x, &y);
-    g_signal_emit(outline, signals[MENU], 0, x, y);
-}
-
-static void on_setup(GtkSignalListItemFactory *factory, GtkListItem *row, TinkerOutline *outline)
-{
-    GtkWidget *box = gtk_box_new(GTK_ORIENTATION_HORIZONTAL, 8), *icon = gtk_drawing_area_new();
-    gtk_drawing_area_set_content_width(GTK_DRAWING_AREA(icon), ICON_WIDTH);
-    gtk_drawing_area_set_content_height(GTK_DRAWING_AREA(icon), ICON_HEIGHT);
-    g_object_set_data(G_OBJECT(icon), "row", row);
-    gtk_drawing_area_set_draw_func(GTK_DRAWING_AREA(icon), draw_icon, outline, NULL);
-    tinker_desktop_theme_redraws(GTK_WIDGET(icon));
-    gtk_box_append(GTK_BOX(box), icon);
-    gtk_widget_set_hexpand(add_label(box, NULL), TRUE);
-    add_label(box, "dim-label");
-    GtkGesture *menu = gtk_gesture_click_new();
-    gtk_gesture_single_set_button(GTK_GESTURE_SINGLE(menu), GDK_BUTTON_SECONDARY);
-    g_signal_connect(menu, "pressed", G_CALLBACK(on_right_click), outline);
-    gtk_widget_add_controller(box, GTK_EVENT_CONTROLLER(menu));
-    g_object_set_data(G_OBJECT(box), "row", row);
-    gtk_list_item_set_child(row, box);
-}
-
-/* What a screen reader says of a row stands on the widget that GTK puts around ours. */
-static void describe(TinkerOutline *outline, GtkListItem *row)
-{
-    GtkWidget *box = gtk_list_item_get_child(row), *outer = gtk_widget_get_parent(box);
-    OutlineItem *item = gtk_list_item_get_item(row);
-    if (item == NULL || !tinker_scene_has_block(scene_of(outline), item->block)) return;
-    g_autofree char *words = tinker_block_words(scene_of(outline), item->block);
-    if (outer != NULL) gtk_accessible_update_property(GTK_ACCESSIBLE(outer), GTK_ACCESSIBLE_PROPERTY_LABEL, words, -1);
-}
-
-static void on_bind(GtkSignalListItemFactory *factory, GtkListItem *row, TinkerOutline *outline)
-{
-    GtkWidget *icon = gtk_widget_get_first_child(gtk_list_item_get_child(row));
-    GtkWidget *name = gtk_widget_get_next_sibling(icon), *type = gtk_widget_get_next_sibling(name);
-    OutlineItem *item = gtk_list_item_get_item(row);
-    gboolean there = tinker_scene_has_block(scene_of(outline), item->block);
-    gtk_label_set_text(GTK_LABEL(name), item->name);
-    gtk_label_set_text(GTK_LABEL(type), there ? tinker_block_type_title(scene_of(outline), item->block) : "");
-    gtk_widget_queue_draw(icon);
-    g_hash_table_add(outline->rows, row);
-    describe(outline, row);
-}
-
-static void on_unbind(GtkSignalListItemFactory *factory, GtkListItem *row, TinkerOutline *outline)
-{
-    g_hash_table_remove(outline->rows, row);
 }
 
 /* Selection -----------------------------------------------------------------------------------------------------------
@@ -252,7 +109,7 @@ static void fill(TinkerOutline *outline)
     guint count = (guint)tinker_scene_block_count(scene);
     g_autoptr(GPtrArray) items = g_ptr_array_new_with_free_func(g_object_unref);
     for (guint i = 0; i < count; i++)
-        g_ptr_array_add(items, item_new(scene, tinker_scene_block_at(scene, (int32_t)i)));
+        g_ptr_array_add(items, outline_item_new(scene, tinker_scene_block_at(scene, (int32_t)i)));
     outline->mirroring = TRUE;
     g_list_store_splice(outline->items, 0, g_list_model_get_n_items(G_LIST_MODEL(outline->items)), items->pdata, count);
     outline->mirroring = FALSE;
@@ -266,15 +123,10 @@ static void fill(TinkerOutline *outline)
 
 static void refresh(TinkerOutline *outline)
 {
-    GHashTableIter iter;
-    gpointer row;
-    if (!is_current(outline)) {
+    if (is_current(outline))
+        outline_describe_rows(outline);
+    else
         fill(outline);
-        return;
-    }
-    g_hash_table_iter_init(&iter, outline->rows);
-    while (g_hash_table_iter_next(&iter, &row, NULL))
-        describe(outline, row);
 }
 
 static gboolean on_refresh(gpointer data)
@@ -331,11 +183,11 @@ static void on_search_stopped(TinkerOutline *outline)
 
 static GtkWidget *make_header(TinkerOutline *outline)
 {
-    GtkWidget *header = gtk_box_new(GTK_ORIENTATION_HORIZONTAL, 6), *title = add_label(header, "heading");
+    GtkWidget *header = gtk_box_new(GTK_ORIENTATION_HORIZONTAL, 6), *title = outline_add_label(header, "heading");
     gtk_widget_add_css_class(header, "panel-header");
     gtk_label_set_text(GTK_LABEL(title), _("Outline"));
     gtk_widget_set_hexpand(title, TRUE);
-    outline->count = add_label(header, "dim-label");
+    outline->count = outline_add_label(header, "dim-label");
     return header;
 }
 
@@ -355,17 +207,13 @@ static GtkWidget *make_search(TinkerOutline *outline)
 
 static GtkWidget *make_list(TinkerOutline *outline)
 {
-    GtkListItemFactory *factory = gtk_signal_list_item_factory_new();
-    g_signal_connect(factory, "setup", G_CALLBACK(on_setup), outline);
-    g_signal_connect(factory, "bind", G_CALLBACK(on_bind), outline);
-    g_signal_connect(factory, "unbind", G_CALLBACK(on_unbind), outline);
     outline->items = g_list_store_new(OUTLINE_TYPE_ITEM);
     outline->filter = GTK_FILTER(gtk_custom_filter_new(is_wanted, outline, NULL));
     GtkFilterListModel *found =
         gtk_filter_list_model_new(g_object_ref(G_LIST_MODEL(outline->items)), g_object_ref(outline->filter));
     outline->selection = GTK_SELECTION_MODEL(gtk_multi_selection_new(G_LIST_MODEL(found)));
     g_signal_connect_swapped(outline->selection, "selection-changed", G_CALLBACK(on_selected), outline);
-    outline->list = gtk_list_view_new(g_object_ref(outline->selection), factory);
+    outline->list = gtk_list_view_new(g_object_ref(outline->selection), outline_row_factory(outline));
     gtk_accessible_update_property(GTK_ACCESSIBLE(outline->list), GTK_ACCESSIBLE_PROPERTY_LABEL, _("Outline"), -1);
     g_signal_connect_swapped(outline->list, "activate", G_CALLBACK(on_activated), outline);
     gtk_widget_add_css_class(outline->list, "navigation-sidebar");
