@@ -262,12 +262,18 @@ void tinker_contacts_free(TinkerContacts *contacts)
     g_free(contacts);
 }
 
+int32_t tinker_contacts_outlines(const TinkerContacts *contacts)
+{
+    int32_t count = 0;
+    for (int32_t i = 0; i < contacts->model->bodies; i++)
+        count += tinker_contacts_has_outline(contacts, i);
+    return count;
+}
+
 gboolean tinker_contacts_can_meet(const TinkerContacts *contacts)
 {
-    int32_t outlines = 0;
-    for (int32_t i = 0; contacts != NULL && i < contacts->model->bodies; i++)
-        outlines += tinker_contacts_has_outline(contacts, i);
-    return outlines > 1 || (contacts != NULL && contacts->plate_count > 0);
+    return (contacts != NULL && tinker_contacts_outlines(contacts) > 1) ||
+           (contacts != NULL && contacts->plate_count > 0);
 }
 
 static gboolean leaves(const TinkerContactPlace *place)

@@ -199,6 +199,8 @@ struct _TinkerContacts {
 TinkerContacts *tinker_contacts_new(TinkerModel *model);
 void tinker_contacts_free(TinkerContacts *contacts);
 
+/* How many bodies have outlines, and may meet each other. */
+int32_t tinker_contacts_outlines(const TinkerContacts *contacts);
 /* Whether there are tops, or bodies with outlines that meet each other; of NULL there are none. */
 gboolean tinker_contacts_can_meet(const TinkerContacts *contacts);
 

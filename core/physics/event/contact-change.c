@@ -153,7 +153,7 @@ static gboolean close_contacts(TinkerContactChange *change, GError **error)
     TinkerContactRun *self = change->run;
     TinkerContacts *contacts = self->contacts;
     for (guint i = contacts->closed->len; i-- > 0;)
-        if (contacts->group[tinker_contacts_closed(contacts, i)->body] == change->group)
+        if (self->together[tinker_contacts_closed(contacts, i)->body] == change->group)
             g_array_remove_index(contacts->closed, i);
     for (guint i = 0; i < change->touches->len; i++)
         close_one(change, i);
@@ -227,7 +227,7 @@ static gboolean may_stop_together(const TinkerContactRun *self, const TinkerTrig
         const gboolean slides =
             contact->mode == TINKER_CONTACT_SLIP_FORWARD || contact->mode == TINKER_CONTACT_SLIP_BACKWARD;
         const gboolean other = contact->body != trigger->body || contact->plate != trigger->plate;
-        if (slides && other && contacts->group[contact->body] == contacts->group[trigger->body]) return TRUE;
+        if (slides && other && self->together[contact->body] == self->together[trigger->body]) return TRUE;
     }
     return FALSE;
 }
@@ -300,13 +300,13 @@ static gboolean *groups_near(const TinkerContactRun *self)
     const TinkerContacts *contacts = self->contacts;
     gboolean *asked = g_new0(gboolean, MAX(self->model->bodies, 1));
     for (guint i = 0; i < self->near->len; i++)
-        asked[contacts->group[g_array_index(self->near, TinkerContactPair, i).body]] = TRUE;
+        asked[self->together[g_array_index(self->near, TinkerContactPair, i).body]] = TRUE;
     for (guint i = 0; i < contacts->closed->len; i++)
-        asked[contacts->group[tinker_contacts_closed(contacts, i)->body]] = TRUE;
+        asked[self->together[tinker_contacts_closed(contacts, i)->body]] = TRUE;
     const TinkerConstraints *all = &self->model->constraints;
     for (int32_t row = 0; all->unilateral != NULL && row < all->rows; row++) {
         int32_t body = all->unilateral[row] ? tinker_contacts_row_body(contacts, row) : -1;
-        if (body >= 0) asked[contacts->group[body]] = TRUE;
+        if (body >= 0) asked[self->together[body]] = TRUE;
     }
     return asked;
 }
@@ -331,8 +331,9 @@ gboolean tinker_contact_run_change(TinkerContactRun *self, const TinkerTrigger *
     if (trigger->kind == TINKER_TRIGGER_GAP && trigger->row < 0)
         reach += 2 * fabs(tinker_contact_place(self->contacts, trigger->body, trigger->plate).gap);
     tinker_contact_run_find_near(self, self->run->state.q, self->run->state.q, reach);
+    tinker_contact_run_find_together(self);
     if (trigger->kind > TINKER_TRIGGER_BLOW)
-        return change_group(self, trigger, self->contacts->group[trigger->body], tolerance, slow, error);
+        return change_group(self, trigger, self->together[trigger->body], tolerance, slow, error);
     g_autofree gboolean *asked = groups_near(self);
     for (int32_t group = 0; group < self->model->bodies; group++)
         if (asked[group] && !change_group(self, trigger, group, tolerance, slow, error)) return FALSE;

@@ -174,12 +174,12 @@ static gboolean is_behind(const TinkerContactRun *self, const TinkerTrigger *gap
 }
 
 /* Whether a gap was not closed where the step began. */
-static TinkerStatus was_open(TinkerContactRun *self, const TinkerTrigger *gap, gboolean *open)
+static TinkerStatus was_open(TinkerContactRun *self, const TinkerTrigger *gap, double closed, gboolean *open)
 {
     double *v;
     TinkerStatus status = tinker_contact_run_place_at(self, self->from.t, &v);
     if (status != TINKER_OK) return status;
-    *open = tinker_contact_run_is_before(self, gap, tinker_trigger_value(self, gap));
+    *open = tinker_contact_run_is_before(self, gap, tinker_trigger_value(self, gap), closed);
     return tinker_contact_run_place_at(self, self->run->state.t, &v);
 }
 
@@ -194,7 +194,7 @@ static TinkerStatus has_passed_another(TinkerContactRun *self, const TinkerTrigg
     for (guint i = 0; status == TINKER_OK && i < self->triggers->len && !*passed; i++) {
         const TinkerTrigger *other = &g_array_index(self->triggers, TinkerTrigger, i);
         if (other->kind != TINKER_TRIGGER_GAP || other->row >= 0 || is_same(other, trigger)) continue;
-        if (is_behind(self, other, closed)) status = was_open(self, other, passed);
+        if (is_behind(self, other, closed)) status = was_open(self, other, closed, passed);
     }
     return status;
 }
