@@ -291,8 +291,9 @@ gboolean tinker_contacts_on_one_line(const TinkerContacts *contacts, int32_t num
            fabs(apart) <= TINKER_ONE_LINE * reach;
 }
 
-double tinker_contact_pair_overlap(const TinkerContacts *contacts, const TinkerTouchingPair *pair)
+double tinker_contact_pair_overlap(TinkerContacts *contacts, TinkerTouchingPair *pair)
 {
+    tinker_contacts_fill_pair(contacts, pair);
     const TinkerBodyPose first = pose_of(contacts->model, pair, 0), second = pose_of(contacts->model, pair, 1);
     return tinker_outlines_overlap(pair->outline[0], &first, pair->outline[1], &second);
 }

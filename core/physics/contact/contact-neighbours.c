@@ -9,7 +9,7 @@
 /* Neighbours that there is room for at first. */
 #define MOST_EXPECTED 16
 
-void tinker_contact_neighbours_init(TinkerContactNeighbours *self, const TinkerContacts *contacts)
+void tinker_contact_neighbours_init(TinkerContactNeighbours *self, TinkerContacts *contacts)
 {
     gsize bodies = (gsize)MAX(contacts->model->bodies, 1);
     *self = (TinkerContactNeighbours){
@@ -73,7 +73,7 @@ void tinker_contact_neighbours_list(TinkerContactNeighbours *self, int32_t body,
 /* How far a body's centre is from a top, from end to end. */
 static double from_top(const TinkerContacts *contacts, const TinkerTouchingPair *pair, const double *at)
 {
-    const TinkerPlate *plate = &contacts->plates[pair->first];
+    const TinkerPlate *plate = &contacts->plates[pair->top];
     const TinkerPoint *centre = &contacts->model->point[pair->point[1]];
     const double dx = at[0] - centre->x, dy = at[1] - centre->y, *corners = pair->outline[1]->corners;
     const double over = plate->normal[0] * dx + plate->normal[1] * dy - corners[1];
@@ -88,6 +88,15 @@ double tinker_contact_pair_distance(const TinkerContacts *contacts, const Tinker
         return 0.5 *
                (hypot(q[2 * a] - q[2 * b], q[2 * a + 1] - q[2 * b + 1]) - contacts->reach[a] - contacts->reach[b]);
     return from_top(contacts, pair, q + 2 * pair->point[0]) - contacts->reach[pair->point[0]];
+}
+
+gboolean tinker_contact_pair_is_apart(const TinkerContacts *contacts, const TinkerTouchingPair *pair)
+{
+    const TinkerPoint *a = &contacts->model->point[pair->point[0]], *b = &contacts->model->point[pair->point[1]];
+    const double at[2] = {a->x, a->y}, reach = contacts->reach[pair->point[0]];
+    if (pair->moving) return FALSE;
+    if (pair->top >= 0) return from_top(contacts, pair, at) - reach > TINKER_TOUCHING;
+    return hypot(a->x - b->x, a->y - b->y) - reach - contacts->reach[pair->point[1]] > TINKER_TOUCHING;
 }
 
 /* The longest way (m) of any body between two states. */
@@ -111,8 +120,7 @@ static gboolean is_beyond(const TinkerContacts *contacts, const TinkerTouchingPa
                           double margin)
 {
     const int32_t a = pair->point[0], b = pair->point[1];
-    if (b >= contacts->model->bodies)
-        return !contacts->plates[pair->first].moving && tinker_contact_pair_distance(contacts, pair, q) > margin;
+    if (b >= contacts->model->bodies) return !pair->moving && tinker_contact_pair_distance(contacts, pair, q) > margin;
     const double x = q[2 * a] - q[2 * b], y = q[2 * a + 1] - q[2 * b + 1];
     const double reach = contacts->reach[a] + contacts->reach[b] + 2 * margin;
     return x * x + y * y > reach * reach;
@@ -121,13 +129,15 @@ static gboolean is_beyond(const TinkerContacts *contacts, const TinkerTouchingPa
 /* What passes is listed until it is seen to have parted. */
 static void list_pairs(TinkerContactNeighbours *self, const double *q, double margin)
 {
-    const TinkerContacts *contacts = self->contacts;
+    TinkerContacts *contacts = self->contacts;
     g_array_set_size(self->pairs, 0);
     self->margin = margin;
     memcpy(self->placed, q, 2 * (gsize)contacts->model->bodies * sizeof(double));
     for (int32_t k = 0; k < contacts->pair_count; k++) {
-        const TinkerTouchingPair *pair = &contacts->pairs[k];
-        if (pair->passes || !is_beyond(contacts, pair, q, margin)) g_array_append_val(self->pairs, k);
+        TinkerTouchingPair *pair = &contacts->pairs[k];
+        if (!pair->passes && is_beyond(contacts, pair, q, margin)) continue;
+        tinker_contacts_fill_pair(contacts, pair);
+        g_array_append_val(self->pairs, k);
     }
 }
 

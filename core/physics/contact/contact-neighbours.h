@@ -14,7 +14,7 @@
 #define TINKER_LEAST_NEIGHBOURHOOD 1e-3
 
 typedef struct {
-    const TinkerContacts *contacts;
+    TinkerContacts *contacts;
     double *centre; /* 2 by body: where the body was when its neighbours were listed */
     double *reach;  /* by body: plates farther from there are not listed */
     GArray **lists; /* by body: of int32_t; moving plates are in all of them */
@@ -24,7 +24,7 @@ typedef struct {
 } TinkerContactNeighbours;
 
 /* The contacts are borrowed. */
-void tinker_contact_neighbours_init(TinkerContactNeighbours *self, const TinkerContacts *contacts);
+void tinker_contact_neighbours_init(TinkerContactNeighbours *self, TinkerContacts *contacts);
 void tinker_contact_neighbours_clear(TinkerContactNeighbours *self);
 
 /* The distance (m) of a body at a place (relative to the origin) from where it would touch the plate. */
@@ -51,8 +51,11 @@ static inline gboolean tinker_contact_neighbours_hold(const TinkerContactNeighbo
  * far as the other. */
 double tinker_contact_pair_distance(const TinkerContacts *contacts, const TinkerTouchingPair *pair, const double *q);
 
+/* Whether the circles are apart, for the state in the points of the model; FALSE of a support that moves. */
+gboolean tinker_contact_pair_is_apart(const TinkerContacts *contacts, const TinkerTouchingPair *pair);
+
 /* Sees to it that the list of pairs holds those that are no farther apart than `travel` (m) in any of two states of the
- * bodies; where it is made anew, pairs have a margin of about `reach` from there. */
+ * bodies, filled in; where it is made anew, pairs have a margin of about `reach` from there. */
 void tinker_contact_neighbours_find_pairs(TinkerContactNeighbours *self, const double *q_from, const double *q_to,
                                           double travel, double reach);
 /* How far (m) pairs that are not listed are apart at least. */

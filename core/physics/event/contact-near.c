@@ -51,7 +51,7 @@ static gboolean may_touch(const TinkerContacts *contacts, int32_t body, int32_t 
 static gboolean pair_may_touch(const TinkerContacts *contacts, const TinkerTouchingPair *pair, const double *q_from,
                                const double *q_to, double travel)
 {
-    if (contacts->plates[pair->first].moving) return TRUE;
+    if (pair->moving) return TRUE;
     return fmin(tinker_contact_pair_distance(contacts, pair, q_from),
                 tinker_contact_pair_distance(contacts, pair, q_to)) <= travel;
 }
@@ -206,11 +206,10 @@ void tinker_contact_run_find_together(TinkerContactRun *self)
 /* Overlaps --------------------------------------------------------------------------------------------------------- */
 
 /* How far two shapes overlap; at most 0 where circles around them are apart by more than `touching` (m). */
-static double overlap_of(const TinkerContactRun *self, const TinkerTouchingPair *pair, double touching)
+static double overlap_of(const TinkerContactRun *self, TinkerTouchingPair *pair, double touching)
 {
-    const TinkerContacts *contacts = self->contacts;
-    const gboolean moving = contacts->plates[pair->first].moving;
-    if (!moving && tinker_contact_pair_distance(contacts, pair, self->run->q) > touching) return -touching;
+    TinkerContacts *contacts = self->contacts;
+    if (!pair->moving && tinker_contact_pair_distance(contacts, pair, self->run->q) > touching) return -touching;
     return tinker_contact_pair_overlap(contacts, pair);
 }
 
