@@ -39,15 +39,15 @@ static void test_handed_on(void)
     }
 }
 
-/* Boxes beside one another, which fall from heights of their own: each lands and stays. */
-static void test_row_lands(void)
+/* Boxes beside one another that fall from heights so far apart: each lands and stays. */
+static void check_row_lands(double apart)
 {
     enum { BOXES = 80 };
     g_autoptr(GString) blocks =
         g_string_new(CONTACT_WEIGHT "{'type': 'support', 'position': [0, -0.1], 'width': 500, 'height': 0.2}");
     double height[BOXES], lost = 0;
     for (int i = 0; i < BOXES; i++) {
-        height[i] = 0.2 + 0.01 * ((i * 37) % BOXES);
+        height[i] = 0.2 + apart * ((i * 37) % BOXES);
         lost += g * height[i];
         g_string_append_printf(blocks,
                                ", {'type': 'box', 'name': 'B%d', 'mass': 1, 'width': 1, 'height': 0.4, 'position': "
@@ -62,7 +62,19 @@ static void test_row_lands(void)
         physics_assert_near(name, state[1], 0.2, 1e-10);
         contact_assert_event(run, "rest", names, sqrt(2 * height[i] / g), 1e-9);
     }
+    contact_assert_count(run, "rest", BOXES);
     contact_assert_taken(run, 0, lost, 1e-8 * lost);
+}
+
+static void test_row_lands(void)
+{
+    check_row_lands(0.01);
+}
+
+/* All at one instant. */
+static void test_lands_at_once(void)
+{
+    check_row_lands(0);
 }
 
 /* Smooth masses that fly about in a box of walls and rebound fully: what moves keeps its energy, and none of two is
@@ -155,6 +167,7 @@ static void add_tests(void)
 {
     g_test_add_func("/physics/contact-many/handed-on", test_handed_on);
     g_test_add_func("/physics/contact-many/row-lands", test_row_lands);
+    g_test_add_func("/physics/contact-many/lands-at-once", test_lands_at_once);
     g_test_add_func("/physics/contact-many/crowd", test_crowd);
     g_test_add_func("/physics/contact-many/near-pairs", test_near_pairs);
 }

@@ -17,7 +17,7 @@ void tinker_contact_neighbours_init(TinkerContactNeighbours *self, TinkerContact
         .centre = g_new0(double, 2 * bodies),
         .reach = g_new0(double, bodies),
         .lists = g_new0(GArray *, bodies),
-        .pairs = g_array_new(FALSE, FALSE, sizeof(int32_t)),
+        .pairs = g_array_sized_new(FALSE, FALSE, sizeof(int32_t), (guint)contacts->pair_count),
         .placed = g_new0(double, 2 * bodies),
         .margin = -1,
     };

@@ -277,8 +277,7 @@ int32_t tinker_contacts_outlines(const TinkerContacts *contacts)
 
 gboolean tinker_contacts_can_meet(const TinkerContacts *contacts)
 {
-    return (contacts != NULL && tinker_contacts_outlines(contacts) > 1) ||
-           (contacts != NULL && contacts->plate_count > 0);
+    return contacts != NULL && (contacts->plate_count > 0 || tinker_contacts_outlines(contacts) > 1);
 }
 
 static gboolean leaves(const TinkerContactPlace *place)

@@ -21,6 +21,9 @@
 /* Impacts that are made to follow on one another at one instant; what strikes by turns without end is found out by
  * time. */
 #define MOST_FOLLOWING 32
+/* Of many bodies, so many changes follow at one instant of groups by themselves; then all are asked, as they may do the
+ * same. */
+#define FEW_AT_ONCE 4
 
 static const char *name_of_row_change(TinkerContactMode was, TinkerContactMode is, gboolean landed)
 {
@@ -332,9 +335,12 @@ gboolean tinker_contact_run_change(TinkerContactRun *self, const TinkerTrigger *
         reach += 2 * fabs(tinker_contact_place(self->contacts, trigger->body, trigger->plate).gap);
     tinker_contact_run_find_near(self, self->run->state.q, self->run->state.q, reach);
     tinker_contact_run_find_together(self);
-    if (trigger->kind > TINKER_TRIGGER_BLOW)
+    const gboolean of_one = trigger->kind > TINKER_TRIGGER_BLOW;
+    /* what lands side by side does so at one instant */
+    if (of_one && !(self->many && self->at_once >= FEW_AT_ONCE))
         return change_group(self, trigger, self->together[trigger->body], tolerance, slow, error);
     g_autofree gboolean *asked = groups_near(self);
+    if (of_one) asked[self->together[trigger->body]] = TRUE;
     for (int32_t group = 0; group < self->model->bodies; group++)
         if (asked[group] && !change_group(self, trigger, group, tolerance, slow, error)) return FALSE;
     return TRUE;
