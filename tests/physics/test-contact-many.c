@@ -77,6 +77,44 @@ static void test_lands_at_once(void)
     check_row_lands(0);
 }
 
+/* A box with one that falls onto it aslant and turning, ten metres aside from the ones before, and a little later. */
+static void add_two(GString *blocks, int copy)
+{
+    g_string_append_printf(
+        blocks,
+        ", {'type': 'box', 'name': 'L%d', 'mass': 2, 'width': 1, 'height': 0.5, 'position': [%d, "
+        "0.25], 'restitution': 0.2, 'static_friction': 0.5, 'dynamic_friction': 0.4}"
+        ", {'type': 'box', 'name': 'U%d', 'mass': 1, 'width': 0.4, 'height': 0.4, 'position': [%.17g, "
+        "%.17g], 'orientation': 0.3, 'angular_velocity': 0.5, 'restitution': 0.2, 'static_friction': "
+        "0.5, 'dynamic_friction': 0.4}",
+        copy, 10 * copy, copy, 10 * copy + 0.1, 0.85 + 0.004 * copy);
+}
+
+static PhysicsRun *run_of_twos(int first, int end)
+{
+    g_autoptr(GString) blocks =
+        g_string_new(CONTACT_WEIGHT "{'type': 'support', 'position': [0, -0.1], 'width': 2000, 'height': 0.2}");
+    for (int copy = first; copy < end; copy++)
+        add_two(blocks, copy);
+    return physics_run(&(PhysicsOptions){.duration = 0.3}, "%s", blocks->str);
+}
+
+/* Pairs of boxes that are far from each other move as if each were alone, whatever the others do at that time. */
+static void test_others_far_off(void)
+{
+    enum { COPIES = 34 };
+    g_autoptr(PhysicsRun) all = run_of_twos(0, COPIES);
+    for (int copy = 0; copy < COPIES; copy += 11) {
+        g_autoptr(PhysicsRun) one = run_of_twos(copy, copy + 1);
+        for (int k = 0; k < 2; k++) {
+            g_autofree char *name = g_strdup_printf("%c%d", "LU"[k], copy);
+            double state[4];
+            physics_state(one, name, state);
+            contact_assert_state(all, name, state, 1e-9);
+        }
+    }
+}
+
 /* Smooth masses that fly about in a box of walls and rebound fully: what moves keeps its energy, and none of two is
  * ever in the other. */
 static void test_crowd(void)
@@ -168,6 +206,7 @@ static void add_tests(void)
     g_test_add_func("/physics/contact-many/handed-on", test_handed_on);
     g_test_add_func("/physics/contact-many/row-lands", test_row_lands);
     g_test_add_func("/physics/contact-many/lands-at-once", test_lands_at_once);
+    g_test_add_func("/physics/contact-many/others-far-off", test_others_far_off);
     g_test_add_func("/physics/contact-many/crowd", test_crowd);
     g_test_add_func("/physics/contact-many/near-pairs", test_near_pairs);
 }
