@@ -310,14 +310,26 @@ static void test_too_many(void)
     g_autoptr(GString) bars = g_string_new(NULL);
     for (int i = 0; i < 10; i++)
         g_string_append_printf(bars, ", {'type': 'bar', 'position': [0, %d]}", i + 5);
-    g_autoptr(PhysicsRun) few = row_of(64, FALSE, bars->str), many = row_of(65, FALSE, ""),
-                          piled = row_of(65, TRUE, "");
+    g_autoptr(PhysicsRun) few = row_of(256, FALSE, bars->str), many = row_of(257, FALSE, ""),
+                          piled = row_of(257, TRUE, "");
     physics_assert_near("vx", physics_last(few, 0), 1, 1e-10);
     physics_assert_near("vx of a pile", physics_last(piled, 0), 1, 1e-10);
     physics_assert_near("vx through the other", physics_last(many, 0), 2, 1e-12);
     g_assert_false(warns_of_passing(few));
     g_assert_false(warns_of_passing(piled));
     g_assert_true(warns_of_passing(many));
+}
+
+/* A plate, which may have many corners, counts as four. */
+static void test_too_many_plates(void)
+{
+    for (int plates = 64; plates <= 65; plates++) {
+        g_autoptr(GString) blocks = g_string_new("{'type': 'plate'}");
+        for (int i = 1; i < plates; i++)
+            g_string_append_printf(blocks, ", {'type': 'plate', 'position': [%d, 0]}", 3 * i);
+        g_autoptr(PhysicsRun) run = physics_run(&(PhysicsOptions){.duration = 0.01}, "%s", blocks->str);
+        g_assert_cmpint(warns_of_passing(run), ==, plates > 64);
+    }
 }
 
 /* Six dominoes fall over one another and come to rest on each other, where contacts stop and slide the other way within
@@ -346,6 +358,7 @@ static void add_tests(void)
     g_test_add_func("/physics/contact-bodies/slides-on-a-box", test_slides_on_a_box);
     g_test_add_func("/physics/contact-bodies/side-by-side", test_side_by_side);
     g_test_add_func("/physics/contact-bodies/too-many", test_too_many);
+    g_test_add_func("/physics/contact-bodies/too-many-plates", test_too_many_plates);
     g_test_add_func("/physics/contact-bodies/passes", test_passes);
     g_test_add_func("/physics/contact-bodies/momentum", test_momentum);
     g_test_add_func("/physics/contact-bodies/rebounds", test_rebounds);

@@ -10,8 +10,11 @@
 
 /* Corners of a box, and of a top. */
 #define BOX_CORNERS 4
-/* So many bodies of a scene may meet each other; each pair costs its gap functions. */
-#define MOST_SHAPES 64
+/* So many bodies of a scene may meet each other: any two of them are a pair, of which 200 bytes are kept and places for
+ * its gap functions are set aside, up to 15 kB of two boxes. */
+#define MOST_SHAPES 256
+/* So many others a body counts as whose shape are its points, which may have as many corners as 16 boxes. */
+#define OF_POINTS 4
 
 /* Outlines --------------------------------------------------------------------------------------------------------- */
 
@@ -107,8 +110,8 @@ int32_t tinker_model_meeting_bodies(const TinkerModel *model)
     return count;
 }
 
-/* Of the whole scene, up to so many. */
-static int32_t count_meeting(TinkerScene *scene, int32_t most)
+/* Of the whole scene, up to so many; one whose shape are its points as `of_points`. */
+static int32_t count_meeting(TinkerScene *scene, int32_t most, int32_t of_points)
 {
     int32_t count = 0;
     for (int32_t i = 0; count < most && i < tinker_scene_block_count(scene); i++) {
@@ -117,23 +120,24 @@ static int32_t count_meeting(TinkerScene *scene, int32_t most)
         const int32_t meaning = meets_by(block_class);
         if (meaning == TINKER_MEANING_NONE) continue;
         const int32_t column = tinker_block_class_meaning_column(block_class, meaning);
-        count += column >= 0 && tinker_scene_get(scene, block, column) != 0;
+        if (column < 0 || tinker_scene_get(scene, block, column) == 0) continue;
+        count += block_class->physics->body->shape == TINKER_SHAPE_OUTLINE ? of_points : 1;
     }
     return count;
 }
 
 gboolean tinker_model_bodies_meet(const TinkerModel *model)
 {
-    return count_meeting(model->scene, MOST_SHAPES + 1) <= MOST_SHAPES;
+    return count_meeting(model->scene, MOST_SHAPES + 1, OF_POINTS) <= MOST_SHAPES;
 }
 
 char *tinker_contacts_unmet(const TinkerModel *model)
 {
     if (tinker_model_meeting_bodies(model) < 2 || tinker_model_bodies_meet(model)) return NULL;
     return g_strdup_printf(
-        _("contact by events is worked out among at most %d bodies of a scene: the %d that could meet "
-          "here pass through each other (with contacts as impulses they meet)"),
-        MOST_SHAPES, count_meeting(model->scene, G_MAXINT32));
+        _("contact by events is worked out among at most %d bodies of a scene, of which a plate counts as %d: the "
+          "%d that could meet here pass through each other (with contacts as impulses they meet)"),
+        MOST_SHAPES, OF_POINTS, count_meeting(model->scene, G_MAXINT32, 1));
 }
 
 /* Those of bodies that meet others; *room is the first that is free of contacts->corners. */
@@ -291,8 +295,9 @@ gboolean tinker_contacts_on_one_line(const TinkerContacts *contacts, int32_t num
            fabs(apart) <= TINKER_ONE_LINE * reach;
 }
 
-double tinker_contact_pair_overlap(const TinkerContacts *contacts, const TinkerTouchingPair *pair)
+double tinker_contact_pair_overlap(TinkerContacts *contacts, TinkerTouchingPair *pair)
 {
+    tinker_contacts_fill_pair(contacts, pair);
     const TinkerBodyPose first = pose_of(contacts->model, pair, 0), second = pose_of(contacts->model, pair, 1);
     return tinker_outlines_overlap(pair->outline[0], &first, pair->outline[1], &second);
 }

@@ -1,5 +1,4 @@
 /* Which bodies may meet what: the pairs of shapes, and their gap functions. */
-#include <glib/gi18n-lib.h>
 #include <math.h>
 #include <string.h>
 
@@ -35,68 +34,81 @@ gboolean tinker_contacts_are_joined(GHashTable *joined, gint64 a, gint64 b)
     return g_hash_table_contains(joined, &key);
 }
 
+/* Listing ---------------------------------------------------------------------------------------------------------- */
+
 typedef struct {
     TinkerContacts *contacts;
     GHashTable *joined;
-    GArray *pairs, *functions, *plates; /* plates: of the functions */
+    GArray *pairs;
+    GArray *functions; /* of one pair, for work */
+    int32_t gaps, resistances, unturned;
 } Listing;
 
-static void add_functions(Listing *listing, TinkerTouchingPair pair, const TinkerGapFunction *functions,
-                          const TinkerPlate *like)
+static gboolean is_unturned(const TinkerModel *model, const TinkerTouchingPair *pair)
 {
-    pair.first = listing->contacts->plate_count + (int32_t)listing->functions->len;
-    for (int which = 0; which < 2; which++) {
-        pair.cosine[which] = cos(pair.angle[which]);
-        pair.sine[which] = sin(pair.angle[which]);
-    }
-    g_array_append_vals(listing->functions, functions, (guint)pair.count);
-    for (int32_t i = 0; i < pair.count; i++) {
-        TinkerPlate plate = *like;
-        plate.half_width = functions[i].half_width;
-        plate.half_height = 0;
-        g_array_append_val(listing->plates, plate);
-    }
-    g_array_append_val(listing->pairs, pair);
+    return pair->top < 0 && tinker_model_turn_of(model, pair->point[0]) < 0 &&
+           tinker_model_turn_of(model, pair->point[1]) < 0;
 }
 
-static void add_pair(Listing *listing, TinkerTouchingPair pair, const TinkerPlate *like)
+TinkerSurface tinker_contact_pair_surface(const TinkerContacts *contacts, const TinkerTouchingPair *pair)
 {
-    const int32_t most = tinker_gap_functions_most(pair.outline[0], pair.outline[1]);
-    g_autofree TinkerGapFunction *functions = g_new(TinkerGapFunction, most);
-    pair.count = tinker_gap_functions(pair.outline[0], pair.outline[1], functions, most);
-    add_functions(listing, pair, functions, like);
-}
-
-/* Of two masses. */
-static void add_unturned(Listing *listing, int32_t body, int32_t other, const TinkerPlate *like)
-{
-    const TinkerContacts *contacts = listing->contacts;
-    const double *q = contacts->model->q_start,
-                 way[2] = {q[2 * body] - q[2 * other], q[2 * body + 1] - q[2 * other + 1]};
-    const TinkerOutline *outline = &contacts->outlines[body];
-    TinkerGapFunction functions[MOST_FUNCTIONS];
-    TinkerUnturned *both = g_new(TinkerUnturned, 1);
-    tinker_unturned_init(both, outline, contacts->angle[body], &contacts->outlines[other], contacts->angle[other]);
-    TinkerTouchingPair pair = {.point = {body, other}, .outline = {&both->point, &both->around}};
-    pair.count = tinker_unturned_functions(both, outline, contacts->angle[body], way, functions, MOST_FUNCTIONS);
-    g_ptr_array_add(contacts->unturned, both);
-    add_functions(listing, pair, functions, like);
+    const TinkerSurface *own = &contacts->surfaces[pair->point[0]];
+    if (pair->top >= 0) return tinker_surface_between(&contacts->plates[pair->top].surface, own);
+    return tinker_surface_between(own, &contacts->surfaces[pair->point[1]]);
 }
 
 /* A mass meets a top as a point that stands off it: the seat is lifted to where the point is. It has no round seats,
  * and no corner of a top meets it. */
-static void lift_for_mass(Listing *listing, double lift)
+static int32_t lift_for_mass(TinkerGapFunction *edge, double lift)
 {
-    TinkerTouchingPair *pair = &g_array_index(listing->pairs, TinkerTouchingPair, listing->pairs->len - 1);
-    const guint first = (guint)(pair->first - listing->contacts->plate_count);
-    TinkerGapFunction *edge = &g_array_index(listing->functions, TinkerGapFunction, first);
-    pair->lift = lift;
-    pair->count = 1;
     edge->rolls = FALSE;
     for (int k = 0; k < 2; k++)
         edge->seat[k] += lift * edge->normal[k];
-    g_array_set_size(listing->functions, first + 1);
-    g_array_set_size(listing->plates, first + 1);
+    return 1;
+}
+
+/* Writes the gap functions of a pair, at most `room`; answers how many there are. Of two masses `both` gets what they
+ * have in place of outlines. */
+static int32_t find_functions(const TinkerContacts *contacts, const TinkerTouchingPair *pair, TinkerUnturned *both,
+                              TinkerGapFunction *list, int32_t room)
+{
+    const int32_t body = pair->point[0], other = pair->point[1];
+    if (is_unturned(contacts->model, pair)) {
+        const TinkerOutline *outline = &contacts->outlines[body];
+        const double angle = contacts->angle[body];
+        tinker_unturned_init(both, outline, angle, &contacts->outlines[other], contacts->angle[other]);
+        return tinker_unturned_functions(both, outline, angle, pair->way, list, room);
+    }
+    const int32_t count = tinker_gap_functions(pair->outline[0], pair->outline[1], list, room);
+    const gboolean is_mass = pair->top >= 0 && !isnan(contacts->half_height[body]);
+    return is_mass ? lift_for_mass(list, pair->lift) : count;
+}
+
+static void add_pair(Listing *listing, TinkerTouchingPair pair)
+{
+    const TinkerContacts *contacts = listing->contacts;
+    const TinkerModel *model = contacts->model;
+    const double *q = model->q_start;
+    TinkerUnturned both;
+    pair.first = contacts->plate_count + listing->gaps;
+    pair.unturned = is_unturned(model, &pair) ? listing->unturned++ : -1;
+    if (pair.unturned >= 0)
+        for (int k = 0; k < 2; k++)
+            pair.way[k] = q[2 * pair.point[0] + k] - q[2 * pair.point[1] + k];
+    for (int which = 0; which < 2; which++) {
+        pair.cosine[which] = cos(pair.angle[which]);
+        pair.sine[which] = sin(pair.angle[which]);
+    }
+    const int32_t most =
+        pair.unturned >= 0 ? MOST_FUNCTIONS : tinker_gap_functions_most(pair.outline[0], pair.outline[1]);
+    g_array_set_size(listing->functions, (guint)most);
+    TinkerGapFunction *functions = (TinkerGapFunction *)(gpointer)listing->functions->data;
+    pair.count = find_functions(contacts, &pair, &both, functions, most);
+    pair.rolls = tinker_contact_pair_surface(contacts, &pair).rolling > 0;
+    for (int32_t i = 0; pair.rolls && i < pair.count; i++)
+        listing->resistances += functions[i].rolls;
+    listing->gaps += pair.count;
+    g_array_append_val(listing->pairs, pair);
 }
 
 /* All tops of a body that turns; of a mass those that a motion turns. */
@@ -107,18 +119,17 @@ static void add_supports_of(Listing *listing, int32_t body)
     const TinkerModel *model = contacts->model;
     const gboolean is_mass = !isnan(contacts->half_height[body]);
     for (int32_t k = 0; k < contacts->plate_count; k++) {
-        TinkerPlate like = contacts->plates[k];
-        if (is_mass && like.turned == NULL) continue;
-        if (tinker_contacts_are_joined(listing->joined, model->body_blocks[body], like.block)) continue;
-        like.surface = tinker_surface_between(&like.surface, &contacts->surfaces[body]);
-        add_pair(listing,
-                 (TinkerTouchingPair){
-                     .point = {body, like.point},
-                     .outline = {is_mass ? &point : &contacts->outlines[body], &contacts->outlines[model->bodies + k]},
-                     .angle = {0, like.orientation},
-                     .turned = like.turned},
-                 &like);
-        if (is_mass) lift_for_mass(listing, contacts->half_height[body]);
+        const TinkerPlate *top = &contacts->plates[k];
+        if (is_mass && top->turned == NULL) continue;
+        if (tinker_contacts_are_joined(listing->joined, model->body_blocks[body], top->block)) continue;
+        add_pair(listing, (TinkerTouchingPair){.point = {body, top->point},
+                                               .outline = {is_mass ? &point : &contacts->outlines[body],
+                                                           &contacts->outlines[model->bodies + k]},
+                                               .angle = {0, top->orientation},
+                                               .turned = top->turned,
+                                               .lift = is_mass ? contacts->half_height[body] : 0,
+                                               .top = k,
+                                               .moving = top->moving});
     }
 }
 
@@ -128,22 +139,58 @@ static void add_bodies_of(Listing *listing, int32_t body)
     const TinkerContacts *contacts = listing->contacts;
     const TinkerModel *model = contacts->model;
     for (int32_t other = body + 1; other < model->bodies; other++) {
-        const TinkerPlate like = {.block = model->body_blocks[other],
-                                  .point = other,
-                                  .surface =
-                                      tinker_surface_between(&contacts->surfaces[body], &contacts->surfaces[other])};
         if (!tinker_contacts_has_outline(contacts, other)) continue;
-        if (tinker_contacts_are_joined(listing->joined, model->body_blocks[body], like.block)) continue;
-        if (tinker_model_turn_of(model, body) < 0 && tinker_model_turn_of(model, other) < 0) {
-            add_unturned(listing, body, other, &like);
-            continue;
-        }
-        add_pair(listing,
-                 (TinkerTouchingPair){.point = {body, other},
-                                      .outline = {&contacts->outlines[body], &contacts->outlines[other]},
-                                      .angle = {contacts->angle[body], contacts->angle[other]}},
-                 &like);
+        if (tinker_contacts_are_joined(listing->joined, model->body_blocks[body], model->body_blocks[other])) continue;
+        TinkerTouchingPair pair = {.point = {body, other},
+                                   .outline = {&contacts->outlines[body], &contacts->outlines[other]},
+                                   .angle = {contacts->angle[body], contacts->angle[other]},
+                                   .top = -1};
+        if (is_unturned(model, &pair)) pair.angle[0] = pair.angle[1] = 0; /* it is in their shapes */
+        add_pair(listing, pair);
     }
+}
+
+/* Filling ---------------------------------------------------------------------------------------------------------- */
+
+void tinker_contacts_fill_pair(TinkerContacts *contacts, TinkerTouchingPair *pair)
+{
+    if (pair->filled) return;
+    pair->filled = TRUE;
+    TinkerUnturned *both = pair->unturned >= 0 ? &contacts->unturned[pair->unturned] : NULL;
+    TinkerGapFunction *functions = &contacts->functions[pair->first - contacts->plate_count];
+    const TinkerModel *model = contacts->model;
+    TinkerPlate like = {.point = pair->point[1]};
+    find_functions(contacts, pair, both, functions, MAX(pair->count, 1));
+    if (both != NULL) {
+        pair->outline[0] = &both->point;
+        pair->outline[1] = &both->around;
+    }
+    if (pair->top >= 0)
+        like = contacts->plates[pair->top];
+    else
+        like.block = model->body_blocks[pair->point[1]];
+    like.surface = tinker_contact_pair_surface(contacts, pair);
+    like.half_height = 0;
+    like.pair = pair;
+    for (int32_t i = 0; i < pair->count; i++) {
+        TinkerPlate *plate = &contacts->plates[pair->first + i];
+        *plate = like;
+        plate->half_width = functions[i].half_width;
+        plate->gap = &functions[i];
+    }
+}
+
+void tinker_contacts_fill_plate(TinkerContacts *contacts, int32_t number)
+{
+    int32_t first = 0, last = contacts->pair_count - 1;
+    while (first < last) {
+        const int32_t middle = first + (last - first + 1) / 2;
+        if (contacts->pairs[middle].first <= number)
+            first = middle;
+        else
+            last = middle - 1;
+    }
+    if (number >= contacts->plate_count) tinker_contacts_fill_pair(contacts, &contacts->pairs[first]);
 }
 
 /* What resists the rolling of a gap function; its arm is the radius of what rolls. */
@@ -166,77 +213,47 @@ static void add_resistance(TinkerContacts *contacts, int32_t number)
     }
 }
 
-/* The arrays do not move any more: plates may point into them. */
+/* What a pair may touch with is filled in when it comes near for the first time, as far as nothing resists its rolling:
+ * until then it takes no memory, since the system gives none to what was cleared and never written. The arrays do not
+ * move any more, so that plates may point into them. */
 static void keep_lists(TinkerContacts *contacts, Listing *listing)
 {
-    const guint functions = listing->functions->len;
-    contacts->gap_count = (int32_t)functions;
+    const gsize tops = (gsize)contacts->plate_count, gaps = (gsize)listing->gaps;
+    TinkerPlate *plates = g_new0(TinkerPlate, MAX(tops + gaps + (gsize)listing->resistances, 1));
+    memcpy(plates, contacts->plates, tops * sizeof(TinkerPlate));
+    g_free(contacts->plates);
+    contacts->plates = plates;
+    contacts->gap_count = listing->gaps;
+    contacts->functions = g_new0(TinkerGapFunction, MAX(gaps, 1));
+    contacts->unturned = g_new0(TinkerUnturned, MAX(listing->unturned, 1));
     contacts->pair_count = (int32_t)listing->pairs->len;
-    const guint most = (guint)contacts->plate_count + 2 * functions;
-    contacts->plates = g_renew(TinkerPlate, contacts->plates, MAX(most, 1));
-    if (functions > 0)
-        memcpy(contacts->plates + contacts->plate_count, listing->plates->data, functions * sizeof(TinkerPlate));
-    g_array_unref(listing->plates);
     contacts->pairs = (TinkerTouchingPair *)(gpointer)g_array_free(listing->pairs, FALSE);
-    contacts->functions = (TinkerGapFunction *)(gpointer)g_array_free(listing->functions, FALSE);
-    for (int32_t i = 0; i < contacts->pair_count; i++)
-        for (int32_t k = 0; k < contacts->pairs[i].count; k++) {
-            TinkerPlate *plate = &contacts->plates[contacts->pairs[i].first + k];
-            plate->pair = &contacts->pairs[i];
-            plate->gap = &contacts->functions[contacts->pairs[i].first + k - contacts->plate_count];
-            if (plate->surface.rolling > 0 && plate->gap->rolls) add_resistance(contacts, contacts->pairs[i].first + k);
-        }
+    g_array_unref(listing->functions);
+    for (int32_t i = 0; i < contacts->pair_count; i++) {
+        TinkerTouchingPair *pair = &contacts->pairs[i];
+        if (pair->rolls) tinker_contacts_fill_pair(contacts, pair);
+        for (int32_t k = pair->first; pair->rolls && k < pair->first + pair->count; k++)
+            if (contacts->plates[k].gap->rolls) add_resistance(contacts, k);
+    }
 }
 
 void tinker_contacts_list_gaps(TinkerContacts *contacts, gboolean meet)
 {
     const TinkerModel *model = contacts->model;
-    Listing listing = {
-        contacts, tinker_contacts_joined_blocks(model), g_array_new(FALSE, FALSE, sizeof(TinkerTouchingPair)),
-        g_array_new(FALSE, FALSE, sizeof(TinkerGapFunction)), g_array_new(FALSE, FALSE, sizeof(TinkerPlate))};
+    Listing listing = {contacts,
+                       tinker_contacts_joined_blocks(model),
+                       g_array_new(FALSE, FALSE, sizeof(TinkerTouchingPair)),
+                       g_array_new(FALSE, FALSE, sizeof(TinkerGapFunction)),
+                       0,
+                       0,
+                       0};
     for (int32_t body = 0; body < model->bodies; body++) {
-        contacts->first_gap[body] = contacts->plate_count + (int32_t)listing.functions->len;
+        contacts->first_gap[body] = contacts->plate_count + listing.gaps;
         if (tinker_contacts_may_touch(contacts, body)) add_supports_of(&listing, body);
         if (meet && tinker_contacts_has_outline(contacts, body)) add_bodies_of(&listing, body);
     }
     contacts->bodies_listed = meet;
-    contacts->first_gap[model->bodies] = contacts->plate_count + (int32_t)listing.functions->len;
+    contacts->first_gap[model->bodies] = contacts->plate_count + listing.gaps;
     keep_lists(contacts, &listing);
     g_hash_table_unref(listing.joined);
-}
-
-/* Told of at the start ----------------------------------------------------------------------------------------------
- */
-
-void tinker_contacts_tell_overlap(const TinkerContacts *contacts, const int32_t point[2], double overlap, guint *told,
-                                  GPtrArray *warnings)
-{
-    TinkerModel *model = contacts->model;
-    if (!(overlap > TINKER_TOUCHING) || ++*told > TINKER_OVERLAPS_TOLD) return;
-    const char *first = tinker_scene_block_name(model->scene, tinker_model_block_of(model, point[0]));
-    const char *second = tinker_scene_block_name(model->scene, tinker_model_block_of(model, point[1]));
-    g_ptr_array_add(warnings,
-                    g_strdup_printf(_("%s and %s overlap at the start, by %.4g m: they pass through each other until "
-                                      "they have parted (place them apart, and they meet)"),
-                                    first, second, overlap));
-}
-
-void tinker_contacts_tell_more_overlaps(guint told, GPtrArray *warnings)
-{
-    if (told <= TINKER_OVERLAPS_TOLD) return;
-    g_ptr_array_add(warnings,
-                    g_strdup_printf(_("and %u more pairs overlap at the start (mend the first ones, and these are "
-                                      "told of)"),
-                                    told - TINKER_OVERLAPS_TOLD));
-}
-
-void tinker_contacts_tell_overlaps(const TinkerContacts *contacts, GPtrArray *warnings)
-{
-    guint told = 0;
-    for (int32_t i = 0; i < contacts->pair_count; i++) {
-        const TinkerTouchingPair *pair = &contacts->pairs[i];
-        tinker_contacts_tell_overlap(contacts, pair->point, tinker_contact_pair_overlap(contacts, pair), &told,
-                                     warnings);
-    }
-    tinker_contacts_tell_more_overlaps(told, warnings);
 }

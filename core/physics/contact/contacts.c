@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "numerics/solve/disjoint-sets.h"
+#include "physics/contact/contact-neighbours.h"
 #include "physics/contact/contact-pins.h"
 #include "physics/contact/tolerances.h"
 #include "physics/model/model-data.h"
@@ -148,7 +149,12 @@ static void measure_thickness(TinkerContacts *contacts)
 static void open_books(TinkerContacts *contacts)
 {
     TinkerModel *model = contacts->model;
+    for (int32_t i = 0; i < contacts->pair_count; i++)
+        if (tinker_contact_pair_surface(contacts, &contacts->pairs[i]).dynamic_friction > 0)
+            model->has_book[TINKER_BOOK_FRICTION] = TRUE;
     for (int32_t k = 0; k < tinker_contacts_plates(contacts); k++) {
+        if (k == contacts->plate_count) k += contacts->gap_count; /* the pairs told of these */
+        if (k == tinker_contacts_plates(contacts)) break;
         const TinkerPlate *plate = &contacts->plates[k];
         if (plate->surface.dynamic_friction > 0) model->has_book[TINKER_BOOK_FRICTION] = TRUE;
         if (plate->moving) model->has_book[TINKER_BOOK_SUPPORT_MOTION] = model->more_than_lines = TRUE;
@@ -186,7 +192,6 @@ TinkerContacts *tinker_contacts_new(TinkerModel *model)
     contacts->touching = g_new0(int32_t, MAX(model->bodies, 1));
     contacts->reach = g_new0(double, MAX(model->bodies, 1));
     contacts->angle = g_new0(double, MAX(model->bodies, 1));
-    contacts->unturned = g_ptr_array_new_with_free_func(g_free);
     contacts->first_gap = g_new0(int32_t, model->bodies + 1);
     contacts->entries = g_array_new(FALSE, TRUE, sizeof(TinkerContactEntries));
     contacts->closed = g_array_new(FALSE, TRUE, sizeof(TinkerContact));
@@ -217,7 +222,6 @@ void tinker_contacts_free(TinkerContacts *contacts)
 {
     if (contacts == NULL) return;
     g_array_unref(contacts->closed);
-    g_ptr_array_unref(contacts->unturned);
     g_array_unref(contacts->pressings);
     g_array_unref(contacts->rows);
     g_array_unref(contacts->entries);
@@ -252,6 +256,7 @@ void tinker_contacts_free(TinkerContacts *contacts)
                          contacts->outlines,
                          contacts->pairs,
                          contacts->functions,
+                         contacts->unturned,
                          contacts->corners,
                          contacts->pins.free,
                          contacts->pins.answers,
@@ -262,12 +267,17 @@ void tinker_contacts_free(TinkerContacts *contacts)
     g_free(contacts);
 }
 
+int32_t tinker_contacts_outlines(const TinkerContacts *contacts)
+{
+    int32_t count = 0;
+    for (int32_t i = 0; i < contacts->model->bodies; i++)
+        count += tinker_contacts_has_outline(contacts, i);
+    return count;
+}
+
 gboolean tinker_contacts_can_meet(const TinkerContacts *contacts)
 {
-    int32_t outlines = 0;
-    for (int32_t i = 0; contacts != NULL && i < contacts->model->bodies; i++)
-        outlines += tinker_contacts_has_outline(contacts, i);
-    return outlines > 1 || (contacts != NULL && contacts->plate_count > 0);
+    return contacts != NULL && (contacts->plate_count > 0 || tinker_contacts_outlines(contacts) > 1);
 }
 
 static gboolean leaves(const TinkerContactPlace *place)
@@ -275,7 +285,20 @@ static gboolean leaves(const TinkerContactPlace *place)
     return place->normal_speed > 1e-12 * fmax(fabs(place->tangential_speed), TINKER_SLOWEST);
 }
 
-gboolean tinker_contacts_touch(const TinkerContacts *contacts)
+static gboolean pair_touches(TinkerContacts *contacts, TinkerTouchingPair *pair)
+{
+    if (tinker_contact_pair_is_apart(contacts, pair)) return FALSE;
+    tinker_contacts_fill_pair(contacts, pair);
+    for (int32_t k = pair->first; k < pair->first + pair->count; k++) {
+        const TinkerContactPlace place = tinker_contact_gap_place(contacts, k);
+        if (fabs(place.gap) <= TINKER_TOUCHING && tinker_contact_gap_is_over(contacts, k, TINKER_TOUCHING) &&
+            !leaves(&place))
+            return TRUE;
+    }
+    return FALSE;
+}
+
+gboolean tinker_contacts_touch(TinkerContacts *contacts)
 {
     if (contacts->pin_count > 0) return TRUE;
     for (int32_t body = 0; body < contacts->model->bodies; body++)
@@ -284,12 +307,8 @@ gboolean tinker_contacts_touch(const TinkerContacts *contacts)
             double beside = fabs(place.along) - contacts->plates[k].half_width;
             if (fabs(place.gap) <= TINKER_TOUCHING && beside <= TINKER_TOUCHING && !leaves(&place)) return TRUE;
         }
-    for (int32_t k = contacts->plate_count; k < contacts->plate_count + contacts->gap_count; k++) {
-        const TinkerContactPlace place = tinker_contact_gap_place(contacts, k);
-        if (fabs(place.gap) <= TINKER_TOUCHING && tinker_contact_gap_is_over(contacts, k, TINKER_TOUCHING) &&
-            !leaves(&place))
-            return TRUE;
-    }
+    for (int32_t i = 0; i < contacts->pair_count; i++)
+        if (pair_touches(contacts, &contacts->pairs[i])) return TRUE;
     return FALSE;
 }
 

@@ -41,6 +41,7 @@
 #include "physics/contact/tolerances.h"
 #include "physics/model/model-data.h"
 #include "physics/shapes/gaps.h"
+#include "physics/shapes/unturned.h"
 #include "scene/frame/overlaps.h"
 
 /* Two shapes that may touch: a body's and a support's or another body's. */
@@ -51,8 +52,14 @@ typedef struct {
     double cosine[2], sine[2]; /* and of that angle */
     const TinkerPlace *turned; /* how a motion turns the support that is the second; NULL: none does */
     double lift;               /* m: what the first, a mass, is over what it lies on */
-    int32_t first, count;      /* its gap functions, among the plates */
-    gboolean passes;           /* they overlap, and do so until they have parted */
+    int32_t top;               /* the plate of the support that is the second; -1: a body */
+    gboolean moving;           /* that */
+    int32_t unturned; /* of two bodies that do not turn: the number of what they have in place of outlines; else -1 */
+    double way[2];    /* m: of these, from the second to the first, as placed */
+    int32_t first, count; /* its gap functions, among the plates; written there */
+    gboolean filled;      /* once it is near (tinker_contacts_fill_pair) */
+    gboolean rolls;       /* something resists rolling */
+    gboolean passes;      /* they overlap, and do so until they have parted */
 } TinkerTouchingPair;
 
 typedef struct {
@@ -153,7 +160,7 @@ struct _TinkerContacts {
     gboolean bodies_listed;    /* bodies that meet each other have gap functions: they are not too many */
     int32_t *first_gap;        /* bodies + 1: the plate that the gap functions of each body begin with */
     TinkerOutline *outlines;   /* of bodies that turn and are solid, and of those that collide, then of tops */
-    GPtrArray *unturned;       /* of TinkerUnturned: what pairs of two that do not turn have in place of these */
+    TinkerUnturned *unturned;  /* what pairs of two that do not turn have in place of these */
     TinkerTouchingPair *pairs; /* that have gap functions */
     int32_t pair_count;
     double *reach; /* of each body: its farthest point from its centre; 0: it has none */
@@ -199,6 +206,8 @@ struct _TinkerContacts {
 TinkerContacts *tinker_contacts_new(TinkerModel *model);
 void tinker_contacts_free(TinkerContacts *contacts);
 
+/* How many bodies have outlines, and may meet each other. */
+int32_t tinker_contacts_outlines(const TinkerContacts *contacts);
 /* Whether there are tops, or bodies with outlines that meet each other; of NULL there are none. */
 gboolean tinker_contacts_can_meet(const TinkerContacts *contacts);
 
@@ -206,6 +215,11 @@ gboolean tinker_contacts_can_meet(const TinkerContacts *contacts);
  * are one of these. */
 GHashTable *tinker_contacts_joined_blocks(const TinkerModel *model);
 gboolean tinker_contacts_are_joined(GHashTable *joined, gint64 a, gint64 b);
+
+/* Writes the gap functions of a pair, and their plates, where that was not done yet: before anything asks for them.
+ * Nothing is allotted. The second finds the pair of a plate, if it is that of a gap function. */
+void tinker_contacts_fill_pair(TinkerContacts *contacts, TinkerTouchingPair *pair);
+void tinker_contacts_fill_plate(TinkerContacts *contacts, int32_t number);
 
 /* Where a body is as seen from a plate, for the state in the model's points. */
 typedef struct {
@@ -227,13 +241,13 @@ gboolean tinker_contact_gap_is_over(const TinkerContacts *contacts, int32_t numb
 /* What is to be told where so many bodies could meet that they do not, by events; NULL: nothing. (transfer full) */
 char *tinker_contacts_unmet(const TinkerModel *model);
 /* Adds a warning (of char *) for pairs that overlap, for the state in the model's points: they pass at first. */
-void tinker_contacts_tell_overlaps(const TinkerContacts *contacts, GPtrArray *warnings);
+void tinker_contacts_tell_overlaps(TinkerContacts *contacts, GPtrArray *warnings);
 /* The same of one pair, which counts as told where it overlaps; and how many of these were too many to tell of. */
 void tinker_contacts_tell_overlap(const TinkerContacts *contacts, const int32_t point[2], double overlap, guint *told,
                                   GPtrArray *warnings);
 void tinker_contacts_tell_more_overlaps(guint told, GPtrArray *warnings);
 /* How far (m) two shapes overlap, as tinker_outlines_overlap has it. */
-double tinker_contact_pair_overlap(const TinkerContacts *contacts, const TinkerTouchingPair *pair);
+double tinker_contact_pair_overlap(TinkerContacts *contacts, TinkerTouchingPair *pair);
 
 static inline gboolean tinker_contacts_is_gap(const TinkerContacts *contacts, const TinkerContact *contact)
 {
@@ -314,7 +328,7 @@ static inline TinkerContactPlace tinker_contact_place(const TinkerContacts *cont
 }
 
 /* Whether any body touches a plate, and does not part from it, for the state in the points; or a pin has friction. */
-gboolean tinker_contacts_touch(const TinkerContacts *contacts);
+gboolean tinker_contacts_touch(TinkerContacts *contacts);
 
 /* Whether no gap changes while bodies turn about their centres: all that turn and may touch something are discs. */
 gboolean tinker_contacts_are_round(const TinkerContacts *contacts);

@@ -21,6 +21,9 @@
 /* Impacts that are made to follow on one another at one instant; what strikes by turns without end is found out by
  * time. */
 #define MOST_FOLLOWING 32
+/* Of many bodies, so many changes follow at one instant of groups by themselves; then all are asked, as they may do the
+ * same. */
+#define FEW_AT_ONCE 4
 
 static const char *name_of_row_change(TinkerContactMode was, TinkerContactMode is, gboolean landed)
 {
@@ -153,7 +156,7 @@ static gboolean close_contacts(TinkerContactChange *change, GError **error)
     TinkerContactRun *self = change->run;
     TinkerContacts *contacts = self->contacts;
     for (guint i = contacts->closed->len; i-- > 0;)
-        if (contacts->group[tinker_contacts_closed(contacts, i)->body] == change->group)
+        if (self->together[tinker_contacts_closed(contacts, i)->body] == change->group)
             g_array_remove_index(contacts->closed, i);
     for (guint i = 0; i < change->touches->len; i++)
         close_one(change, i);
@@ -227,7 +230,7 @@ static gboolean may_stop_together(const TinkerContactRun *self, const TinkerTrig
         const gboolean slides =
             contact->mode == TINKER_CONTACT_SLIP_FORWARD || contact->mode == TINKER_CONTACT_SLIP_BACKWARD;
         const gboolean other = contact->body != trigger->body || contact->plate != trigger->plate;
-        if (slides && other && contacts->group[contact->body] == contacts->group[trigger->body]) return TRUE;
+        if (slides && other && self->together[contact->body] == self->together[trigger->body]) return TRUE;
     }
     return FALSE;
 }
@@ -300,13 +303,13 @@ static gboolean *groups_near(const TinkerContactRun *self)
     const TinkerContacts *contacts = self->contacts;
     gboolean *asked = g_new0(gboolean, MAX(self->model->bodies, 1));
     for (guint i = 0; i < self->near->len; i++)
-        asked[contacts->group[g_array_index(self->near, TinkerContactPair, i).body]] = TRUE;
+        asked[self->together[g_array_index(self->near, TinkerContactPair, i).body]] = TRUE;
     for (guint i = 0; i < contacts->closed->len; i++)
-        asked[contacts->group[tinker_contacts_closed(contacts, i)->body]] = TRUE;
+        asked[self->together[tinker_contacts_closed(contacts, i)->body]] = TRUE;
     const TinkerConstraints *all = &self->model->constraints;
     for (int32_t row = 0; all->unilateral != NULL && row < all->rows; row++) {
         int32_t body = all->unilateral[row] ? tinker_contacts_row_body(contacts, row) : -1;
-        if (body >= 0) asked[contacts->group[body]] = TRUE;
+        if (body >= 0) asked[self->together[body]] = TRUE;
     }
     return asked;
 }
@@ -331,9 +334,13 @@ gboolean tinker_contact_run_change(TinkerContactRun *self, const TinkerTrigger *
     if (trigger->kind == TINKER_TRIGGER_GAP && trigger->row < 0)
         reach += 2 * fabs(tinker_contact_place(self->contacts, trigger->body, trigger->plate).gap);
     tinker_contact_run_find_near(self, self->run->state.q, self->run->state.q, reach);
-    if (trigger->kind > TINKER_TRIGGER_BLOW)
-        return change_group(self, trigger, self->contacts->group[trigger->body], tolerance, slow, error);
+    tinker_contact_run_find_together(self);
+    const gboolean of_one = trigger->kind > TINKER_TRIGGER_BLOW;
+    /* what lands side by side does so at one instant */
+    if (of_one && !(self->many && self->at_once >= FEW_AT_ONCE))
+        return change_group(self, trigger, self->together[trigger->body], tolerance, slow, error);
     g_autofree gboolean *asked = groups_near(self);
+    if (of_one) asked[self->together[trigger->body]] = TRUE;
     for (int32_t group = 0; group < self->model->bodies; group++)
         if (asked[group] && !change_group(self, trigger, group, tolerance, slow, error)) return FALSE;
     return TRUE;

@@ -173,30 +173,36 @@ static gboolean is_behind(const TinkerContactRun *self, const TinkerTrigger *gap
     return tinker_contact_is_over(self->contacts, gap->plate, &place, tinker_trigger_place_rounding(self, gap));
 }
 
-/* Whether a gap was not closed where the step began. */
-static TinkerStatus was_open(TinkerContactRun *self, const TinkerTrigger *gap, gboolean *open)
+/* Lists the gaps, but for that of the event, that are behind where the step ends. */
+static void list_behind(TinkerContactRun *self, const TinkerTrigger *trigger, double closed, GArray *behind)
 {
-    double *v;
-    TinkerStatus status = tinker_contact_run_place_at(self, self->from.t, &v);
-    if (status != TINKER_OK) return status;
-    *open = tinker_contact_run_is_before(self, gap, tinker_trigger_value(self, gap));
-    return tinker_contact_run_place_at(self, self->run->state.t, &v);
+    g_array_set_size(behind, 0);
+    for (guint i = 0; i < self->triggers->len; i++) {
+        const TinkerTrigger *other = &g_array_index(self->triggers, TinkerTrigger, i);
+        if (other->kind != TINKER_TRIGGER_GAP || other->row >= 0 || is_same(other, trigger)) continue;
+        if (is_behind(self, other, closed)) g_array_append_val(behind, i);
+    }
 }
 
-/* Whether another gap than the event's has closed before it: dense output of a long step may put events in another
- * order than the step that ends at one of them. */
+/* Whether another gap than the event's, which was not closed where the step began, has closed before it: dense output
+ * of a long step may put events in another order than the step that ends at one of them. */
 static TinkerStatus has_passed_another(TinkerContactRun *self, const TinkerTrigger *trigger, gboolean *passed)
 {
     const double closed = tinker_contact_run_closed_gap(self);
     double *v;
     *passed = FALSE;
     TinkerStatus status = tinker_contact_run_place_at(self, self->run->state.t, &v);
-    for (guint i = 0; status == TINKER_OK && i < self->triggers->len && !*passed; i++) {
-        const TinkerTrigger *other = &g_array_index(self->triggers, TinkerTrigger, i);
-        if (other->kind != TINKER_TRIGGER_GAP || other->row >= 0 || is_same(other, trigger)) continue;
-        if (is_behind(self, other, closed)) status = was_open(self, other, passed);
+    if (status != TINKER_OK) return status;
+    GArray *behind = self->falling; /* for work: no search is on */
+    list_behind(self, trigger, closed, behind);
+    if (behind->len == 0) return TINKER_OK;
+    status = tinker_contact_run_place_at(self, self->from.t, &v);
+    for (guint i = 0; status == TINKER_OK && i < behind->len && !*passed; i++) {
+        const TinkerTrigger *gap = &g_array_index(self->triggers, TinkerTrigger, g_array_index(behind, guint, i));
+        *passed = tinker_contact_run_is_before(self, gap, tinker_trigger_value(self, gap), closed);
     }
-    return status;
+    if (status != TINKER_OK) return status;
+    return tinker_contact_run_place_at(self, self->run->state.t, &v);
 }
 
 /* What falls before the event that the step ends at. Where its state was carried on to that, the step is made again for

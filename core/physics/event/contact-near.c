@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "numerics/solve/disjoint-sets.h"
 #include "physics/contact/contacts.h"
 #include "physics/event/contact-run-private.h"
 #include "physics/island/island-run.h"
@@ -11,6 +12,8 @@
 
 /* A neighbourhood reaches as far as so many steps like this one lead. */
 #define STEPS_AHEAD 32
+/* So far lead pairs, which are many to look through. */
+#define STEPS_AHEAD_OF_PAIRS 4
 
 /* Whether the pair is closed; `next` is where to look: closed contacts are in the order of their bodies. */
 static gboolean is_closed(const TinkerContacts *contacts, int32_t body, int32_t plate, guint next)
@@ -45,32 +48,12 @@ static gboolean may_touch(const TinkerContacts *contacts, int32_t body, int32_t 
     return !stays_beyond(gap[0], gap[1], 0, travel) && !stays_beyond(along[0], along[1], plate->half_width, travel);
 }
 
-/* How far a body's centre is from a top, from end to end. */
-static double from_top(const TinkerContacts *contacts, const TinkerTouchingPair *pair, const double *at)
-{
-    const TinkerPlate *plate = &contacts->plates[pair->first];
-    const TinkerPoint *centre = &contacts->model->point[pair->point[1]];
-    const double dx = at[0] - centre->x, dy = at[1] - centre->y, *corners = pair->outline[1]->corners;
-    const double over = plate->normal[0] * dx + plate->normal[1] * dy - corners[1];
-    const double beside = fabs(plate->normal[1] * dx - plate->normal[0] * dy) - corners[2];
-    return hypot(over, fmax(beside, 0));
-}
-
-/* How far (m) what moves of a pair may go before the shapes can touch; of two bodies each as far as the other. */
-static double apart_by_reach(const TinkerContacts *contacts, const TinkerTouchingPair *pair, const double *q)
-{
-    const int32_t a = pair->point[0], b = pair->point[1];
-    if (b < contacts->model->bodies)
-        return 0.5 *
-               (hypot(q[2 * a] - q[2 * b], q[2 * a + 1] - q[2 * b + 1]) - contacts->reach[a] - contacts->reach[b]);
-    return from_top(contacts, pair, q + 2 * pair->point[0]) - contacts->reach[pair->point[0]];
-}
-
 static gboolean pair_may_touch(const TinkerContacts *contacts, const TinkerTouchingPair *pair, const double *q_from,
                                const double *q_to, double travel)
 {
-    if (contacts->plates[pair->first].moving) return TRUE;
-    return fmin(apart_by_reach(contacts, pair, q_from), apart_by_reach(contacts, pair, q_to)) <= travel;
+    if (pair->moving) return TRUE;
+    return fmin(tinker_contact_pair_distance(contacts, pair, q_from),
+                tinker_contact_pair_distance(contacts, pair, q_to)) <= travel;
 }
 
 /* How far (rad) a body turns while nothing of the state moves farther than `travel` (m): turns count in metres, by
@@ -109,18 +92,23 @@ static gboolean is_of_interest(const TinkerContactRun *self, const TinkerContact
     return gap_may_close(self->contacts, each->plate, 2 * travel);
 }
 
-/* Gap functions of a body. */
+static TinkerTouchingPair *near_pair(const TinkerContactRun *self, guint number)
+{
+    return &self->contacts->pairs[g_array_index(self->neighbours.pairs, int32_t, number)];
+}
+
+/* Gap functions of a body; *number is of the first of its pairs among those listed, then of the next body's. */
 static void find_near_gaps(TinkerContactRun *self, int32_t body, const double *q_from, const double *q_to,
-                           double travel, guint next)
+                           double travel, guint next, guint *number)
 {
     const TinkerContacts *contacts = self->contacts;
-    for (int32_t k = contacts->first_gap[body]; k < contacts->first_gap[body + 1];) {
-        const TinkerTouchingPair *pair = contacts->plates[k].pair;
-        const int32_t end = pair->first + pair->count;
-        const gboolean near = pair_may_touch(contacts, pair, q_from, q_to, travel);
-        for (; k < end; k++) {
+    for (; *number < self->neighbours.pairs->len; ++*number) {
+        const TinkerTouchingPair *pair = near_pair(self, *number);
+        if (pair->point[0] != body) return;
+        if (!pair_may_touch(contacts, pair, q_from, q_to, travel)) continue;
+        for (int32_t k = pair->first; k < pair->first + pair->count; k++) {
             const TinkerContactPair each = {body, k, -1};
-            if (near && !is_closed(contacts, body, k, next) && is_of_interest(self, &each, travel))
+            if (!is_closed(contacts, body, k, next) && is_of_interest(self, &each, travel))
                 g_array_append_val(self->near, each);
         }
     }
@@ -132,13 +120,15 @@ void tinker_contact_run_find_near(TinkerContactRun *self, const double *q_from, 
     double extent =
         hypot(self->run->system.box[2] - self->run->system.box[0], self->run->system.box[3] - self->run->system.box[1]);
     double reach = fmax(STEPS_AHEAD * travel, isfinite(extent) ? TINKER_LEAST_NEIGHBOURHOOD * extent : 0);
-    guint next = 0;
+    guint next = 0, number = 0;
     g_array_set_size(self->near, 0);
+    self->pair_margin = fmax(STEPS_AHEAD_OF_PAIRS * travel, isfinite(extent) ? TINKER_LEAST_NEIGHBOURHOOD * extent : 0);
+    tinker_contact_neighbours_find_pairs(&self->neighbours, q_from, q_to, travel, self->pair_margin);
     for (int32_t i = 0; i < self->model->bodies; i++) {
         const double *from = q_from + 2 * i, *to = q_to + 2 * i;
         while (next < contacts->closed->len && tinker_contacts_closed(contacts, next)->body < i)
             next++;
-        if (contacts->gap_count > 0) find_near_gaps(self, i, q_from, q_to, travel, next);
+        find_near_gaps(self, i, q_from, q_to, travel, next, &number);
         if (isnan(contacts->half_height[i])) continue;
         if (!tinker_contact_neighbours_hold(&self->neighbours, i, from, to, travel))
             tinker_contact_neighbours_list(&self->neighbours, i, from, to, reach);
@@ -165,8 +155,11 @@ void tinker_contact_run_note_quiet(TinkerContactRun *self, const double *x, cons
     self->quiet = 0;
     if (contacts->moving_plates > 0 || contacts->closed->len > 0) return;
     double nearest = INFINITY;
-    for (int32_t i = 0; i < contacts->pair_count; i++)
-        nearest = fmin(nearest, apart_by_reach(contacts, &contacts->pairs[i], q));
+    for (guint i = 0; i < self->neighbours.pairs->len; i++)
+        nearest = fmin(nearest, tinker_contact_pair_distance(contacts, near_pair(self, i), q));
+    if (nearest > tinker_contact_neighbours_others(&self->neighbours, q))
+        for (int32_t i = 0; i < contacts->pair_count; i++)
+            nearest = fmin(nearest, tinker_contact_pair_distance(contacts, &contacts->pairs[i], q));
     for (int32_t i = 0; i < self->model->bodies; i++) {
         if (isnan(contacts->half_height[i])) continue;
         /* plates beyond the neighbourhood are farther than what is left of it */
@@ -182,7 +175,43 @@ void tinker_contact_run_note_quiet(TinkerContactRun *self, const double *x, cons
     self->quiet = nearest;
 }
 
+/* Together ----------------------------------------------------------------------------------------------------------
+ */
+
+static void join(TinkerContactRun *self, int32_t plate)
+{
+    const TinkerTouchingPair *pair = self->contacts->plates[plate].pair;
+    if (pair != NULL && pair->point[1] < self->model->bodies)
+        tinker_sets_join(self->together, pair->point[0], pair->point[1]);
+}
+
+/* Of a few bodies all that may ever meet: what noise is to their contacts is the same for all of them. */
+void tinker_contact_run_find_together(TinkerContactRun *self)
+{
+    const TinkerContacts *contacts = self->contacts;
+    const gsize bytes = (gsize)self->model->bodies * sizeof(int32_t);
+    memcpy(self->together, self->many ? contacts->tied : contacts->group, bytes);
+    if (!self->many) return;
+    for (guint i = 0; i < contacts->closed->len; i++)
+        join(self, tinker_contacts_closed(contacts, i)->plate);
+    for (guint i = 0; i < self->near->len; i++)
+        join(self, g_array_index(self->near, TinkerContactPair, i).plate);
+    for (guint i = 0; i < self->leaving->len; i++) {
+        const TinkerContactPair *pair = &g_array_index(self->leaving, TinkerContactPair, i);
+        if (pair->row < 0) join(self, pair->plate);
+    }
+    tinker_sets_settle(self->together, self->model->bodies);
+}
+
 /* Overlaps --------------------------------------------------------------------------------------------------------- */
+
+/* How far two shapes overlap; at most 0 where circles around them are apart by more than `touching` (m). */
+static double overlap_of(const TinkerContactRun *self, TinkerTouchingPair *pair, double touching)
+{
+    TinkerContacts *contacts = self->contacts;
+    if (!pair->moving && tinker_contact_pair_distance(contacts, pair, self->run->q) > touching) return -touching;
+    return tinker_contact_pair_overlap(contacts, pair);
+}
 
 void tinker_contact_run_note_overlaps(TinkerContactRun *self)
 {
@@ -190,7 +219,7 @@ void tinker_contact_run_note_overlaps(TinkerContactRun *self)
     if (contacts->pair_count == 0) return;
     const double touching = tinker_contact_run_touching(self);
     for (int32_t i = 0; i < contacts->pair_count; i++)
-        contacts->pairs[i].passes = tinker_contact_pair_overlap(contacts, &contacts->pairs[i]) > touching;
+        contacts->pairs[i].passes = overlap_of(self, &contacts->pairs[i], touching) > touching;
 }
 
 /* Whether a gap of the pair has just opened, and is watched by its acceleration. */
@@ -228,9 +257,10 @@ TinkerStatus tinker_contact_run_watch_overlaps(TinkerContactRun *self)
     tinker_island_run_place(run);
     tinker_model_set_state(self->model, run->q, run->v);
     const double touching = tinker_contact_run_touching(self);
-    for (int32_t i = 0; i < contacts->pair_count && status == TINKER_OK; i++) {
-        TinkerTouchingPair *pair = &contacts->pairs[i];
-        const double overlap = tinker_contact_pair_overlap(contacts, pair);
+    tinker_contact_neighbours_find_pairs(&self->neighbours, run->q, run->q, touching, self->pair_margin);
+    for (guint i = 0; i < self->neighbours.pairs->len && status == TINKER_OK; i++) {
+        TinkerTouchingPair *pair = near_pair(self, i);
+        const double overlap = overlap_of(self, pair, touching);
         const gboolean overlaps = overlap > touching;
         const gboolean bodies = pair->point[1] < self->model->bodies;
         const gboolean parted = overlaps && bodies && has_just_parted(self, pair);

@@ -46,10 +46,11 @@ double tinker_contact_run_touching(const TinkerContactRun *self)
     return fmax(TINKER_TOUCHING, tinker_contact_run_closed_gap(self));
 }
 
-gboolean tinker_contact_run_is_before(const TinkerContactRun *self, const TinkerTrigger *gap, double value)
+gboolean tinker_contact_run_is_before(const TinkerContactRun *self, const TinkerTrigger *gap, double value,
+                                      double closed)
 {
     const gboolean shapes = gap->row < 0 && self->contacts->plates[gap->plate].gap != NULL;
-    return value >= -(shapes ? tinker_contact_run_touching(self) : tinker_contact_run_closed_gap(self));
+    return value >= -(shapes ? fmax(TINKER_TOUCHING, closed) : closed);
 }
 
 gboolean tinker_contact_run_leaves(const TinkerContactRun *self, const TinkerContactPair *sought)

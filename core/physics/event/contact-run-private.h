@@ -107,10 +107,11 @@ struct _TinkerContactRun {
      * the second or third power of time, less than the error of a method of low order, or than rounding: what tells
      * whether they part is the acceleration. */
     GArray *leaving;
-    GArray *turns;    /* of contacts that change by turns (contact-turns.c) */
-    GArray *triggers; /* of TinkerTrigger: those of the step */
-    GArray *falling;  /* of guint: those of places that may fall to 0 in the step */
-    double *values;   /* of triggers, node by node */
+    GArray *turns;     /* of contacts that change by turns (contact-turns.c) */
+    double closed_gap; /* m: that of the step that is searched; NAN: not asked for yet */
+    GArray *triggers;  /* of TinkerTrigger: those of the step */
+    GArray *falling;   /* of guint: those of places that may fall to 0 in the step */
+    double *values;    /* of triggers, node by node */
     gsize values_room;
     double *node_x, *node_u;         /* in the system's coordinates */
     double *node_q, *node_v;         /* of the bodies */
@@ -122,12 +123,15 @@ struct _TinkerContactRun {
     TinkerStepStart start;           /* of the step in progress */
     gsize closed_room;
     TinkerContactNeighbours neighbours;
-    double changed;  /* s: when something changed last */
-    double jammed;   /* s: when forces grew beyond all bounds last; NAN: never */
-    gboolean jams;   /* they do so now */
-    guint at_once;   /* changes before, at the same instant */
-    double *quiet_x; /* coordinates of the system, where ... */
-    double quiet;    /* ... no plate was nearer to any body than this; 0 where one moves */
+    double pair_margin; /* m: of pairs when they were asked for last */
+    int32_t *together;  /* by body: the first of those whose contacts are decided together at the event passed last */
+    gboolean many;      /* so many may meet that these are told by what is near */
+    double changed;     /* s: when something changed last */
+    double jammed;      /* s: when forces grew beyond all bounds last; NAN: never */
+    gboolean jams;      /* they do so now */
+    guint at_once;      /* changes before, at the same instant */
+    double *quiet_x;    /* coordinates of the system, where ... */
+    double quiet;       /* ... no plate was nearer to any body than this; 0 where one moves */
 };
 
 /* Changes at one instant: so many do not end by themselves. */
@@ -149,6 +153,9 @@ TinkerStatus tinker_contact_run_watch_overlaps(TinkerContactRun *contact_run);
  * `travel` (m) away from either. */
 void tinker_contact_run_find_near(TinkerContactRun *contact_run, const double *q_from, const double *q_to,
                                   double travel);
+/* Notes which bodies are decided upon together, by what is closed or near: contacts of others answer to none of theirs.
+ */
+void tinker_contact_run_find_together(TinkerContactRun *contact_run);
 /* Whether nothing can come near a plate within `travel` (m) of the state x (in the system's coordinates). */
 gboolean tinker_contact_run_is_quiet(const TinkerContactRun *contact_run, const double *x, double travel);
 /* Notes the state as one that is quiet, as far as it is. */
@@ -209,9 +216,10 @@ TinkerStatus tinker_contact_run_make_room(TinkerContactRun *contact_run);
 double tinker_contact_run_closed_gap(const TinkerContactRun *contact_run);
 /* How far (m) shapes may overlap that touch: what overlaps by more passes, or was missed. */
 double tinker_contact_run_touching(const TinkerContactRun *contact_run);
-/* Whether a gap of this value (m) is open, or closed: what is farther behind, where the step begins, came from there.
- */
-gboolean tinker_contact_run_is_before(const TinkerContactRun *contact_run, const TinkerTrigger *gap, double value);
+/* Whether a gap of this value (m) is open, or closed, as tinker_contact_run_closed_gap has it: what is farther behind,
+ * where the step begins, came from there. */
+gboolean tinker_contact_run_is_before(const TinkerContactRun *contact_run, const TinkerTrigger *gap, double value,
+                                      double closed);
 
 /* Places (m) are no more exact than this over the first steps of a method that remembers its steps; 0 of others. */
 double tinker_contact_run_place_noise(const TinkerContactRun *contact_run);

@@ -19,6 +19,8 @@
 /* So many events within TINKER_CROWDED never end, nor do so many times as many, each within TINKER_SLOW_CROWDED. */
 #define CROWD       500
 #define SLOW_CROWDS 20
+/* So few bodies with outlines are decided upon all together. */
+#define FEW_MEET 64
 /* Near pairs that there is room for at first. */
 #define MOST_EXPECTED 16
 
@@ -44,6 +46,8 @@ static void allot(TinkerContactRun *self)
     self->values = g_new0(double, self->values_room);
     self->end_values = g_new0(double, self->values_room);
     self->plate_speed = g_new0(double, self->model->points - self->model->first_support + 1);
+    self->together = g_new0(int32_t, n);
+    self->many = tinker_contacts_outlines(self->contacts) > FEW_MEET;
 }
 
 /* As many as dense output has degrees, and one to spare. */
@@ -91,10 +95,10 @@ void tinker_contact_run_free(TinkerContactRun *self)
     g_array_unref(self->turns);
     g_array_unref(self->triggers);
     g_array_unref(self->falling);
-    gpointer arrays[] = {self->from.q,      self->from.v,      self->from.books,  self->node_x,
-                         self->node_u,      self->node_q,      self->node_v,      self->force,
-                         self->orientation, self->quiet_x,     self->values,      self->force_scale,
-                         self->end_values,  self->plate_speed, self->start.force, self->start.loads};
+    gpointer arrays[] = {self->from.q,      self->from.v,      self->from.books, self->node_x,      self->node_u,
+                         self->node_q,      self->node_v,      self->force,      self->orientation, self->quiet_x,
+                         self->values,      self->force_scale, self->end_values, self->plate_speed, self->start.force,
+                         self->start.loads, self->together};
     for (gsize i = 0; i < G_N_ELEMENTS(arrays); i++)
         g_free(arrays[i]);
     g_free(self);

@@ -96,12 +96,13 @@ static gboolean meets(TinkerContactRun *self, const TinkerTrigger *trigger, doub
 }
 
 /* Whether it has fallen by the first node, from a value that is nothing beside what follows. */
-static gboolean falls_soon(const TinkerContactRun *self, const TinkerTrigger *trigger, const double *values)
+static gboolean falls_soon(TinkerContactRun *self, const TinkerTrigger *trigger, const double *values)
 {
     const double most = tinker_largest(self->degree + 1, values);
     if (!(values[1] < trigger->level) || values[0] > TINKER_NOTHING * most) return FALSE;
     if (trigger->kind != TINKER_TRIGGER_GAP) return TRUE;
-    return tinker_contact_run_is_before(self, trigger, values[0]);
+    if (isnan(self->closed_gap)) self->closed_gap = tinker_contact_run_closed_gap(self);
+    return tinker_contact_run_is_before(self, trigger, values[0], self->closed_gap);
 }
 
 /* How fast what is left of a top grows, towards the end that the trigger is of; where that is nothing, whether it is to
@@ -522,6 +523,7 @@ TinkerStatus tinker_contact_run_search(TinkerContactRun *self, double from, doub
     found->kind = TINKER_TRIGGER_NONE;
     *time = INFINITY;
     self->looked_time = NAN;
+    self->closed_gap = NAN;
     TinkerStatus status = tinker_contact_run_list_triggers(self);
     if (status != TINKER_OK || self->triggers->len == 0) return status;
     if (varies_slowly(self)) status = look_at_places(self, from, to, &clear);

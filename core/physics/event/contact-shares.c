@@ -52,7 +52,7 @@ static gboolean keeps_laws(const TinkerContactChange *change, const TinkerContac
 static gboolean is_asked(const TinkerContactChange *change, const TinkerContact *contact)
 {
     const TinkerContacts *contacts = change->contacts;
-    if (contacts->group[contact->body] != change->group) return FALSE;
+    if (change->run->together[contact->body] != change->group) return FALSE;
     return !change->apart || contacts->touching[contact->body] == contacts->touching[change->trigger.body];
 }
 
@@ -159,7 +159,7 @@ gboolean tinker_change_shares_load(const TinkerContactChange *change)
     for (guint i = 0; i < contacts->blocks->len; i++) {
         const TinkerContactBlock *block = &g_array_index(contacts->blocks, TinkerContactBlock, i);
         int32_t contact = g_array_index(contacts->rows, TinkerContactRow, (guint)block->first).contact;
-        if (contacts->group[tinker_contacts_closed(contacts, (guint)contact)->body] == change->group &&
+        if (change->run->together[tinker_contacts_closed(contacts, (guint)contact)->body] == change->group &&
             !tinker_contact_block_is_full(block))
             return TRUE;
     }

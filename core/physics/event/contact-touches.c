@@ -131,7 +131,7 @@ static void take_closed(TinkerContactChange *change)
     const TinkerContacts *contacts = change->contacts;
     for (guint i = 0; i < contacts->closed->len; i++) {
         TinkerTouch taken = {.contact = *tinker_contacts_closed(contacts, i), .row = -1};
-        if (contacts->group[taken.contact.body] != change->group) continue;
+        if (change->run->together[taken.contact.body] != change->group) continue;
         taken.was = taken.contact.mode == TINKER_CONTACT_SMOOTH ? TINKER_CONTACT_OPEN : taken.contact.mode;
         if (taken.contact.at_limit) {
             taken.limit = taken.was == TINKER_CONTACT_SLIP_FORWARD ? 1 : -1;
@@ -178,7 +178,7 @@ static void take_open(TinkerContactChange *change, double tolerance)
     const TinkerContactRun *self = change->run;
     for (guint i = 0; i < self->near->len; i++) {
         const TinkerContactPair *pair = &g_array_index(self->near, TinkerContactPair, i);
-        if (self->contacts->group[pair->body] != change->group) continue;
+        if (self->together[pair->body] != change->group) continue;
         TinkerTouch taken = {.contact = {.body = pair->body, .plate = pair->plate}, .row = -1};
         taken.place = place_of(change, &taken);
         gboolean guided = tinker_contacts_is_guided(self->contacts, pair->body, pair->plate);
@@ -201,8 +201,7 @@ static void take_rows(TinkerContactChange *change, double tolerance)
     const TinkerConstraints *all = &change->model->constraints;
     for (int32_t row = 0; all->unilateral != NULL && row < all->rows; row++) {
         TinkerTouch taken = {.contact = {.body = tinker_contacts_row_body(self->contacts, row)}, .row = row};
-        if (!all->unilateral[row] || taken.contact.body < 0 ||
-            self->contacts->group[taken.contact.body] != change->group)
+        if (!all->unilateral[row] || taken.contact.body < 0 || self->together[taken.contact.body] != change->group)
             continue;
         taken.was = all->slack[row] ? TINKER_CONTACT_OPEN : TINKER_CONTACT_SLIP_FORWARD;
         tinker_constraints_set_slack(change->model, row, TRUE);
@@ -233,7 +232,7 @@ static void take_leaving(TinkerContactChange *change, double tolerance)
     const double near = self->leaving->len > 0 ? left_gap(change, tolerance) : 0;
     for (guint i = 0; i < self->leaving->len; i++) {
         const TinkerContactPair *pair = &g_array_index(self->leaving, TinkerContactPair, i);
-        if (pair->row >= 0 || self->contacts->group[pair->body] != change->group) continue;
+        if (pair->row >= 0 || self->together[pair->body] != change->group) continue;
         TinkerTouch taken = {.contact = {.body = pair->body, .plate = pair->plate}, .row = -1, .leaves = TRUE};
         taken.place = place_of(change, &taken);
         const gboolean closes = is_closed(change, &taken, tolerance) || meets_now(change, &taken);

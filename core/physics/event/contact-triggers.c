@@ -102,12 +102,17 @@ static double row_value(const TinkerContactRun *self, const TinkerTrigger *trigg
 /* What friction may be more on a contact that sticks, in a direction (1: along t, -1: against it). Corners of one edge
  * on another hold the body along one line: nothing determines how they share that, and they slip together, where it is
  * more than all of them can hold. */
-static double friction_left(const TinkerContacts *contacts, const TinkerContact *contact, double direction)
+static double friction_left(const TinkerContacts *contacts, guint number, double direction)
 {
+    const TinkerContact *contact = tinker_contacts_closed(contacts, number);
     const gboolean corner = tinker_contacts_is_gap(contacts, contact);
     double normal = contact->normal, friction = contact->friction;
-    for (guint i = 0; corner && i < contacts->closed->len; i++) {
+    guint i = number;
+    while (corner && i > 0 && tinker_contacts_closed(contacts, i - 1)->body == contact->body)
+        i--;
+    for (; corner && i < contacts->closed->len; i++) {
         const TinkerContact *other = tinker_contacts_closed(contacts, i);
+        if (other->body != contact->body) break;
         if (other == contact || !tinker_contacts_stick_together(contacts, contact, other)) continue;
         normal += other->normal;
         friction += other->friction;
@@ -125,8 +130,8 @@ double tinker_trigger_value(const TinkerContactRun *self, const TinkerTrigger *t
     const TinkerContact *contact =
         trigger->closed >= 0 ? tinker_contacts_closed(contacts, (guint)trigger->closed) : NULL;
     if (trigger->kind == TINKER_TRIGGER_NORMAL) return contact->normal;
-    if (trigger->kind == TINKER_TRIGGER_FORWARD) return friction_left(contacts, contact, 1);
-    if (trigger->kind == TINKER_TRIGGER_BACKWARD) return friction_left(contacts, contact, -1);
+    if (trigger->kind == TINKER_TRIGGER_FORWARD) return friction_left(contacts, (guint)trigger->closed, 1);
+    if (trigger->kind == TINKER_TRIGGER_BACKWARD) return friction_left(contacts, (guint)trigger->closed, -1);
     if (trigger->kind == TINKER_TRIGGER_GAP && contacts->plates[trigger->plate].gap != NULL)
         return tinker_contact_gap_alone(contacts, trigger->plate); /* most of what bodies that turn have watched */
     const TinkerContactPlace place = tinker_contact_place(contacts, trigger->body, trigger->plate);

@@ -318,7 +318,7 @@ static gboolean is_rough(const TinkerModel *model)
 static void describe_contact(TinkerPlan *plan, TinkerModel *model, const TinkerRunOptions *options)
 {
     char bodies[128], plates[128];
-    const TinkerContacts *contacts = model->contacts;
+    TinkerContacts *contacts = model->contacts;
     if (contacts != NULL && contacts->pin_count > 0)
         say(plan->modelled,
             g_dngettext(GETTEXT_PACKAGE, "friction of %d pin, which holds what does not turn: changes are events",

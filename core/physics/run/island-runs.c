@@ -262,6 +262,7 @@ static gboolean gather_contacts(TinkerIslandRuns *self, GError **error)
             const int32_t body = run->island->body_of[contact.body];
             if (tinker_contacts_is_gap(part, &contact))
                 contact.plate += all->first_gap[body] - part->first_gap[contact.body];
+            tinker_contacts_fill_plate(all, contact.plate);
             contact.body = body;
             g_array_append_val(all->closed, contact);
         }

@@ -121,7 +121,8 @@ static int32_t add_ends(const TinkerUnturned *both, const double way[2], TinkerG
 int32_t tinker_unturned_functions(const TinkerUnturned *both, const TinkerOutline *first, double first_angle,
                                   const double way[2], TinkerGapFunction *list, int32_t room)
 {
-    int32_t count = tinker_gap_functions(&both->point, &both->around, list, room - 2);
+    const int32_t ends = both->around.count > 2 ? 0 : 2; /* at most */
+    int32_t count = tinker_gap_functions(&both->point, &both->around, list, room - ends);
     count += add_ends(both, way, list + count);
     for (int32_t i = 0; i < count; i++) {
         const double back[2] = {-list[i].normal[0], -list[i].normal[1]};
