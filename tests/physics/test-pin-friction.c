@@ -43,6 +43,26 @@ static void test_spins_down(void)
     }
 }
 
+/* Two that have nothing to do with each other are stepped apart, and what is recorded of each pin is its own torque. */
+static void test_apart(void)
+{
+    static const double masses[] = {2, 3}, radii[] = {0.1, 0.2}, coefficients[] = {0.3, 0.7};
+    g_autoptr(PhysicsRun) run = physics_run(
+        &(PhysicsOptions){.duration = 0.5, .interval = 0.1, .columns = "Pin 0.torque, Pin 1.torque"},
+        CONTACT_WEIGHT ANCHOR
+        "{'type': 'disc', 'mass': %g, 'position': [0, 0], 'angular_velocity': 200, 'solid': false},"
+        "{'type': 'disc', 'mass': %g, 'position': [9, 0], 'angular_velocity': 200, 'solid': false},"
+        "{'type': 'pin', 'ends': ['Support 0', 'Disc 0'], 'friction_radius': %g, 'friction': %g},"
+        "{'type': 'pin', 'ends': [{'block': 'Support 0', 'at': [9, 0]}, 'Disc 1'], 'friction_radius': %g, 'friction': "
+        "%g}",
+        masses[0], masses[1], radii[0], coefficients[0], radii[1], coefficients[1]);
+    g_assert_cmpuint(run->summary->islands->len, ==, 2);
+    for (gsize sample = 0; sample < physics_samples(run); sample++)
+        for (gsize pin = 0; pin < 2; pin++)
+            physics_assert_near("torque", physics_value(run, sample, pin),
+                                arm_of(radii[pin], coefficients[pin]) * masses[pin] * g, 1e-11);
+}
+
 /* A bar that hangs askew stays where m g l sin a is at most the arm times m g: l sin a <= arm. */
 static void test_cone(void)
 {
@@ -275,6 +295,7 @@ static void test_struck_elsewhere(void)
 static void add_tests(void)
 {
     g_test_add_func("/pin-friction/spins-down", test_spins_down);
+    g_test_add_func("/pin-friction/apart", test_apart);
     g_test_add_func("/pin-friction/cone", test_cone);
     g_test_add_func("/pin-friction/pendulum", test_pendulum);
     g_test_add_func("/pin-friction/dragged-along", test_dragged_along);

@@ -145,6 +145,24 @@ static void measure_thickness(TinkerContacts *contacts)
     contacts->thickness = plate + body;
 }
 
+int32_t tinker_contacts_plate_of_part(TinkerContacts *contacts, const TinkerContacts *part,
+                                      const TinkerContact *contact, int32_t body)
+{
+    const int32_t gaps = part->plate_count, others = gaps + part->gap_count;
+    const int32_t later = contacts->first_gap[body] - part->first_gap[contact->body];
+    const TinkerPlate *plate = &part->plates[contact->plate];
+    if (contact->plate < gaps) return contact->plate;
+    if (contact->plate < others) {
+        tinker_contacts_fill_plate(contacts, contact->plate + later);
+        return contact->plate + later;
+    }
+    if (plate->bearer >= 0) return contacts->plates[plate->bearer + later].resistance;
+    int32_t pin = tinker_contacts_first_pin(contacts);
+    while (contacts->plates[pin].block != plate->block)
+        pin++;
+    return pin;
+}
+
 /* Those that contacts write into: which books there are does not change in a run. */
 static void open_books(TinkerContacts *contacts)
 {

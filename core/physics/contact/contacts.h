@@ -221,6 +221,11 @@ gboolean tinker_contacts_are_joined(GHashTable *joined, gint64 a, gint64 b);
 void tinker_contacts_fill_pair(TinkerContacts *contacts, TinkerTouchingPair *pair);
 void tinker_contacts_fill_plate(TinkerContacts *contacts, int32_t number);
 
+/* The plate of a closed contact of a part's, whose body has this number here: the tops are the same and in the same
+ * order, gap functions those of its own pairs, and what resists turning stands behind all of them. Fills it in. */
+int32_t tinker_contacts_plate_of_part(TinkerContacts *contacts, const TinkerContacts *part,
+                                      const TinkerContact *contact, int32_t body);
+
 /* Where a body is as seen from a plate, for the state in the model's points. */
 typedef struct {
     double gap, along;                     /* m */

@@ -244,8 +244,7 @@ static gint64 count_contact_changes(const TinkerIslandRuns *self)
     return changes;
 }
 
-/* Where the islands are stepped apart, the whole model's contacts are closed as theirs are. Parts whose bodies have a
- * shape have all plates, in the same order. */
+/* Where the islands are stepped apart, the whole model's contacts are closed as theirs are. */
 static gboolean gather_contacts(TinkerIslandRuns *self, GError **error)
 {
     TinkerContacts *all = self->model->contacts;
@@ -260,9 +259,7 @@ static gboolean gather_contacts(TinkerIslandRuns *self, GError **error)
         for (guint k = 0; part != NULL && k < part->closed->len; k++) {
             TinkerContact contact = *tinker_contacts_closed(part, k);
             const int32_t body = run->island->body_of[contact.body];
-            if (tinker_contacts_is_gap(part, &contact))
-                contact.plate += all->first_gap[body] - part->first_gap[contact.body];
-            tinker_contacts_fill_plate(all, contact.plate);
+            contact.plate = tinker_contacts_plate_of_part(all, part, &contact, body);
             contact.body = body;
             g_array_append_val(all->closed, contact);
         }
