@@ -110,6 +110,14 @@ void tinker_graph_plot_clear_cursors(TinkerGraphPlot *plot)
     g_signal_emit_by_name(plot, "looks-changed");
 }
 
+gboolean tinker_graph_plot_between_cursors(TinkerGraphPlot *plot, TinkerGraphPart *part)
+{
+    if (plot->cursor_count < 2 || !is_over_time(plot)) return FALSE;
+    const double a = plot->cursors[0].at[0], b = plot->cursors[1].at[0];
+    *part = (TinkerGraphPart){fmin(a, b), fmax(a, b), TRUE};
+    return part->from < part->to;
+}
+
 static char *unit_of(const TinkerGraphPlot *plot, int cursor)
 {
     return g_strdup(tinker_graph_series_y_axis(tinker_graph_data_curve(plot->data, plot->cursors[cursor].curve))->unit);
