@@ -165,9 +165,9 @@ static void test_kept_runs(void)
     tinker_graph_data_set_graph(data,
                                 g_ptr_array_index(tinker_scene_graphs(tinker_document_scene(fixture->document)), 0));
     tinker_graph_data_fill_plot(data, &plot);
-    g_assert_cmpstr(plot.curves[0].label, ==, "Mass 0: Vy 1 → 2 m/s");
+    g_assert_cmpstr(plot.curves[0].label, ==, "Mass 0: Vy 2 m/s, now");
     g_assert_cmpstr(plot.curves[1].label, ==, "Mass 0: Vy 0 m/s");
-    g_assert_cmpstr(plot.curves[2].label, ==, "Mass 0: Vy 0 → 1 m/s");
+    g_assert_cmpstr(plot.curves[2].label, ==, "Mass 0: Vy 1 m/s");
     g_assert_cmpint(plot.curves[1].colour, !=, plot.curves[2].colour);
     const int colour = plot.curves[2].colour;
 

@@ -282,6 +282,13 @@ static void on_kept_changed(TinkerGraphPlot *plot)
     tinker_graph_plot_renew(plot);
 }
 
+static gboolean on_tooltip(GtkWidget *widget, int x, int y, gboolean by_key, GtkTooltip *tooltip)
+{
+    g_autofree char *names = by_key ? NULL : tinker_graph_plot_legend_text(TINKER_GRAPH_PLOT(widget), x, y);
+    gtk_tooltip_set_text(tooltip, names);
+    return names != NULL;
+}
+
 void tinker_graph_plot_add_input(TinkerGraphPlot *plot)
 {
     GtkEventController *motion = gtk_event_controller_motion_new();
@@ -300,6 +307,8 @@ void tinker_graph_plot_add_input(TinkerGraphPlot *plot)
     GtkEventController *all[] = {motion, scroll, GTK_EVENT_CONTROLLER(drag), GTK_EVENT_CONTROLLER(click)};
     for (gsize i = 0; i < G_N_ELEMENTS(all); i++)
         gtk_widget_add_controller(GTK_WIDGET(plot), all[i]);
+    gtk_widget_set_has_tooltip(GTK_WIDGET(plot), TRUE);
+    g_signal_connect(plot, "query-tooltip", G_CALLBACK(on_tooltip), NULL);
     g_signal_connect_object(tinker_player_kept(plot->player), "changed", G_CALLBACK(on_kept_changed), plot,
                             G_CONNECT_SWAPPED);
     g_signal_connect_object(tinker_player_span(plot->player), "changed", G_CALLBACK(on_span_changed), plot,
