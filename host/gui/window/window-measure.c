@@ -41,8 +41,9 @@ static void on_measured(Tool *tool)
         gtk_label_set_text(GTK_LABEL(tool->read), shown);
         gtk_accessible_update_property(GTK_ACCESSIBLE(tool->layer), GTK_ACCESSIBLE_PROPERTY_DESCRIPTION, shown, -1);
     }
-    gtk_widget_set_sensitive(tool->keep,
-                             tinker_measuring_can_keep(&measuring, tinker_document_scene(tool->window->document)));
+    const char *why_not = tinker_measuring_why_not_kept(&measuring, tinker_document_scene(tool->window->document));
+    gtk_widget_set_sensitive(tool->keep, why_not == NULL);
+    gtk_widget_set_tooltip_text(tool->keep, why_not != NULL ? why_not : _("As a block of the scene"));
 }
 
 static void put_away(Tool *tool)
