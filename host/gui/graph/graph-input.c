@@ -282,9 +282,9 @@ static void on_kept_changed(TinkerGraphPlot *plot)
     tinker_graph_plot_renew(plot);
 }
 
-static gboolean on_tooltip(GtkWidget *widget, int x, int y, gboolean by_key, GtkTooltip *tooltip)
+static gboolean on_tooltip(TinkerGraphPlot *plot, int x, int y, gboolean by_key, GtkTooltip *tooltip)
 {
-    g_autofree char *names = by_key ? NULL : tinker_graph_plot_legend_text(TINKER_GRAPH_PLOT(widget), x, y);
+    g_autofree char *names = by_key ? NULL : tinker_graph_plot_legend_text(plot, x, y);
     gtk_tooltip_set_text(tooltip, names);
     return names != NULL;
 }

@@ -75,8 +75,6 @@ static void add_bar(Tool *tool, TinkerMeasuringKind kind)
     gtk_widget_add_css_class(tool->read, "numeric");
     tool->keep =
         gtk_button_new_with_mnemonic(kind == TINKER_RULER ? _("_Keep as Dimension") : _("_Keep as Angle Mark"));
-    gtk_widget_set_tooltip_text(tool->keep,
-                                _("As a block of the scene; all its ends have to be on bodies or supports"));
     GtkWidget *done = gtk_button_new_with_mnemonic(_("_Put Away"));
     g_signal_connect_swapped(tool->keep, "clicked", G_CALLBACK(on_keep), tool);
     g_signal_connect_swapped(done, "clicked", G_CALLBACK(put_away), tool);
