@@ -301,6 +301,12 @@ def test_insert_places_by_keys_alone(display):
         check_equal(sorted(block["type"] for block in app.blocks().values()), ["box", "mass"], "blocks")
         app.press("Delete")  # the canvas has the focus again, and the new block is selected
         check_equal(list(app.blocks()), ["A"], "blocks")
+        app.press("Insert", "Return")  # the list is where it was left
+        app.find_starting("list item", "Box")
+        app.press("Delete", "Insert")
+        app.type("spring")  # of which more than the spring tell, a bumper first
+        app.press("Return")
+        wait(lambda: sorted(block["type"] for block in app.blocks().values()) == ["mass", "spring"], "a spring")
 
 
 def test_canvas_says_what_is_selected(display):
