@@ -309,6 +309,19 @@ def test_insert_places_by_keys_alone(display):
         wait(lambda: sorted(block["type"] for block in app.blocks().values()) == ["mass", "spring"], "a spring")
 
 
+def test_menu_of_what_is_selected_by_key(display):
+    with App(display, scene(mass("A", -2, 0), mass("B", 2, 0))) as app:
+        app.click_world(-1.8, 0.2)
+        for keys in ("Menu", "shift+F10"):
+            app.press(keys)
+            app.find_item("Add Graph")
+            app.press("Escape")
+            wait(lambda: app.look(None, "Add Graph") is None, "the menu to close")
+        app.press("Menu")
+        app.choose("Delete")
+        wait(lambda: list(app.blocks()) == ["B"], "what was selected to go")
+
+
 def test_canvas_says_what_is_selected(display):
     with App(display, scene(mass("A", -2, 0), mass("B", 2, 0))) as app:
         wait(lambda: "nothing is selected" in app.canvas().description, "nothing to be selected")
