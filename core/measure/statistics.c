@@ -1,13 +1,11 @@
 /* Extrema of a cubic piece are the roots of a quadratic; its mean is integrated exactly, its square by four nodes of
  * Gauss, which are exact to degree 7. */
-#include <float.h>
 #include <math.h>
 
 #include "measure/curve-pieces.h"
 #include "measure/statistics-private.h"
 
-#define ROUNDING  (4 * DBL_EPSILON) /* of the largest value: of samples and sums */
-#define OF_VALUES 5                 /* mean, rms, least, greatest, amplitude */
+#define OF_VALUES 5 /* mean, rms, least, greatest, amplitude */
 /* Of the whole range: smaller ways between two extrema are ripple of rounding. */
 #define RIPPLE 1e-9
 /* Of what the curve may be off by: smaller ways at both ends, as of a swing that has died away, tell nothing. */
@@ -121,8 +119,7 @@ static TinkerStatistics measure(const TinkerCurveSamples *samples, double from, 
     return result;
 }
 
-/* Every second sample, and the last. (transfer full) */
-static double *thin(const double *values, gsize count)
+double *tinker_every_second(const double *values, gsize count)
 {
     double *half = g_new(double, count / 2 + 1);
     for (gsize i = 0; 2 * i < count; i++)
@@ -150,7 +147,8 @@ gboolean tinker_statistics(const double *times, const double *values, gsize coun
                            TinkerStatistics *statistics)
 {
     if (count / 2 + 1 < TINKER_CURVE_LEAST || !(to > from)) return FALSE;
-    g_autofree double *half_times = thin(times, count), *half_values = thin(values, count);
+    g_autofree double *half_times = tinker_every_second(times, count),
+                      *half_values = tinker_every_second(values, count);
     const TinkerCurveSamples fine = {times, values, count}, coarse = {half_times, half_values, count / 2 + 1};
     *statistics = measure(&fine, from, to, band);
     const TinkerStatistics rough = measure(&coarse, from, to, band);
@@ -162,7 +160,8 @@ gboolean tinker_statistics(const double *times, const double *values, gsize coun
     for (gsize i = 0; i < G_N_ELEMENTS(all); i++)
         all[i]->error += fabs(all[i]->value - others[i]->value);
     for (gsize i = 0; i < OF_VALUES; i++)
-        all[i]->error += ROUNDING * fmax(fabs(statistics->least.value), fabs(statistics->greatest.value));
+        all[i]->error +=
+            TINKER_STATISTIC_ROUNDING * fmax(fabs(statistics->least.value), fabs(statistics->greatest.value));
     forget_untold(statistics);
     return TRUE;
 }

@@ -458,6 +458,41 @@ static void test_support_is_added(void)
     g_assert_cmpuint(rest->len, ==, 0);
 }
 
+/* A bar that nothing holds, over a floor or leaning at it, would pass it; not where it is solid, hangs, is beside the
+ * floor, or nothing pulls it. */
+static void test_passing(void)
+{
+    static const char floor[] = "{'type': 'support', 'name': 'Floor', 'position': [0, -0.5], 'height': 1, 'width': 4}",
+                      pull[] = "{'type': 'gravity', 'name': 'G'}";
+    static const struct {
+        const char *bar, *more;
+        gboolean passes;
+    } cases[] = {{"'position': [1, 3]", pull, TRUE},
+                 {"'position': [1, 3], 'solid': true", pull, FALSE},
+                 {"'position': [2.5, 3]", pull, FALSE},
+                 {"'position': [1, 3]", NULL, FALSE},
+                 {"'position': [1, -3]", pull, FALSE},
+                 {"'position': [0, 0.5], 'orientation': '90 deg', 'width': 0", NULL, TRUE},
+                 {"'position': [1, 3]",
+                  "{'type': 'gravity', 'name': 'G'}, {'type': 'support', 'name': 'Hook', 'position': [1, 5], "
+                  "'orientation': '180 deg'}, {'type': 'spring', 'name': 'K', 'ends': ['Hook', 'Bar']}",
+                  FALSE}};
+    for (gsize i = 0; i < G_N_ELEMENTS(cases); i++) {
+        g_autofree char *blocks =
+            g_strdup_printf("%s, {'type': 'bar', 'name': 'Bar', 'length': 1, %s}%s%s", floor, cases[i].bar,
+                            cases[i].more != NULL ? ", " : "", cases[i].more != NULL ? cases[i].more : "");
+        g_autoptr(StartFixture) f = start_fixture_new(blocks);
+        g_test_message("case %d", (int)i);
+        if (cases[i].passes) {
+            assert_only(f, TINKER_ADVICE_PASSING, FALSE, "Bar", "passes through Floor", "Make It Solid");
+            repair(f);
+        } else {
+            g_autoptr(GPtrArray) all = tinker_advice_new(f->scene);
+            g_assert_cmpuint(all->len, ==, 0);
+        }
+    }
+}
+
 static void add_tests(void)
 {
     g_test_add_func("/advice/support-is-added", test_support_is_added);
@@ -466,6 +501,7 @@ static void add_tests(void)
     g_test_add_func("/advice/joint", test_joint);
     g_test_add_func("/advice/small-wheel", test_small_wheel);
     g_test_add_func("/advice/idle-turns", test_idle_turns);
+    g_test_add_func("/advice/passing", test_passing);
     g_test_add_func("/advice/loose-end-under", test_loose_end_finds_what_is_under_it);
     g_test_add_func("/advice/wound-ends", test_wound_ends);
     g_test_add_func("/advice/loose-pin", test_loose_pin);

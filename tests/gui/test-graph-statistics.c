@@ -98,8 +98,8 @@ static void test_less_than_its_error(void)
     gui_fixture_start_scene(fixture, COARSE);
     run_whole(fixture);
     g_autoptr(TinkerGraphData) data = graph_fixture_data(fixture);
-    const double early[2] = {0, 6};
-    g_autofree char *text = tinker_graph_statistics_text(data, early);
+    const TinkerGraphPart early = {0, 6, FALSE};
+    g_autofree char *text = tinker_graph_statistics_text(data, &early);
     g_test_message("%s", text);
     g_assert_nonnull(strstr(text, "Damping ratio = 0 ± "));
 }
@@ -117,6 +117,30 @@ static void test_about_its_error(void)
         g_autoptr(GString) text = g_string_new(NULL);
         tinker_statistic_append(text, &rows[i].of);
         g_assert_cmpstr(text->str, ==, rows[i].text);
+    }
+}
+
+/* Between two cursors no more is counted than stands there, and the text says so: twice the height above rest is
+ * -2 cos(5 t), and rises from 0.4 to 0.5 s. */
+static void test_between_cursors(void)
+{
+    g_autoptr(GuiFixture) fixture = gui_fixture_new("");
+    gui_fixture_start_scene(fixture, COARSE);
+    run_whole(fixture);
+    g_autoptr(TinkerGraphData) data = graph_fixture_data(fixture);
+    const TinkerGraphPart part = {0.4, 0.5, TRUE};
+    g_autofree char *text = tinker_graph_statistics_text(data, &part);
+    const struct {
+        const char *name;
+        double truth;
+    } lines[] = {{"Mean", -2 * (sin(2.5) - sin(2)) / 0.5}, {"Least", -2 * cos(2)}, {"Greatest", -2 * cos(2.5)}};
+    g_test_message("%s", text);
+    g_assert_nonnull(strstr(text, "between cursors A and B, from 0.4 to 0.5 s"));
+    for (gsize i = 0; i < G_N_ELEMENTS(lines); i++) {
+        double value, error;
+        read_line(text, lines[i].name, &value, &error);
+        g_assert_cmpfloat(fabs(value - lines[i].truth), <=, error);
+        g_assert_cmpfloat(error, <, 0.05);
     }
 }
 
@@ -163,6 +187,7 @@ static void add_tests(void)
     g_test_add_func("/gui/graph-statistics/error-of-run", test_error_of_run);
     g_test_add_func("/gui/graph-statistics/digits", test_digits);
     g_test_add_func("/gui/graph-statistics/less-than-its-error", test_less_than_its_error);
+    g_test_add_func("/gui/graph-statistics/between-cursors", test_between_cursors);
     g_test_add_func("/gui/graph-statistics/about-its-error", test_about_its_error);
     g_test_add_func("/gui/graph-statistics/bounces", test_bounces);
     g_test_add_func("/gui/graph-statistics/not-known", test_not_known);

@@ -40,9 +40,25 @@ static void test_round_steps(void)
     }
 }
 
+/* A control is called as the row of its number is, with the heading of that, which says that it is of the start. */
+static void test_titles(void)
+{
+    static const char *const cases[][3] = {{"M", "mass", "M: Mass"},
+                                           {"M", "position.x", "M: Global Position X"},
+                                           {"M", "velocity.y", "M: Initial Velocity Vy"},
+                                           {"K", "stiffness", "K: K"}};
+    g_autoptr(GuiFixture) fixture = gui_fixture_new(BLOCKS);
+    for (gsize i = 0; i < G_N_ELEMENTS(cases); i++) {
+        const TinkerSceneInstrument *control = add(fixture, cases[i][0], cases[i][1]);
+        g_autofree char *title = tinker_instrument_title(tinker_document_scene(fixture->document), control);
+        g_assert_cmpstr(title, ==, cases[i][2]);
+    }
+}
+
 static void add_tests(void)
 {
     g_test_add_func("/gui/instrument-edit/round-steps", test_round_steps);
+    g_test_add_func("/gui/instrument-edit/titles", test_titles);
 }
 
 int main(int argc, char **argv)

@@ -132,6 +132,7 @@ static void test_statuses(void)
         {{"--screenshot", file, "--scene", scene, "--panel", "purple"}, 2, "purple"},
         {{"--forces"}, 2, "--screenshot"},
         {{"--trail"}, 2, "--screenshot"},
+        {{"--measure"}, 2, "--screenshot"},
         {{"--screenshot", file, "--scene", wrong}, 3, "wrong.tinker.json:1:"},
         {{"--screenshot", file, "--scene", "/nowhere.tinker.json"}, 5, "/nowhere.tinker.json"},
         {{"--screenshot", "/nowhere/at/all.png"}, 5, "/nowhere/at/all.png"},

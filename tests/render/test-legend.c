@@ -85,6 +85,9 @@ static void test_small(void)
         TinkerPlotLayout layout;
         tinker_plot_lay_out(&layout, &plot, &pen, width, height);
         const TinkerLegend *legend = &layout.legend;
+        TinkerPlotGeometry geometry;
+        tinker_plot_measure(&plot, width, height, &geometry);
+        if (legend->kind == TINKER_LEGEND_NONE) g_assert_cmpfloat(geometry.legend[2], ==, 0);
         above += legend->kind == TINKER_LEGEND_ABOVE;
         if (legend->kind != TINKER_LEGEND_NONE) {
             for (int n = 0; n < count; n++)
@@ -129,6 +132,11 @@ static GPtrArray *labels_of(const char *const labels[], int count, gboolean *kee
     tinker_plot_lay_out(&layout, &plot, &pen, 190, 150);
     layout.theme = tinker_theme_find("light");
     *keeps_ends = layout.legend.keeps_ends;
+    TinkerPlotGeometry geometry;
+    tinker_plot_measure(&plot, 190, 150, &geometry);
+    if (*keeps_ends) g_assert_true(geometry.shortens_legend);
+    for (int i = 0; i < 4; i++)
+        g_assert_cmpfloat(geometry.legend[i], ==, layout.legend.box[i]);
     pen.written = written;
     tinker_plot_draw_legend(cairo, &layout);
     for (guint i = 0; i < written->len; i++) {

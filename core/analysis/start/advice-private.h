@@ -16,4 +16,7 @@ void advice_add_vector(TinkerAdvice *advice, TinkerBlockId block, double x, doub
 /* Start velocities that the constraints of the compiled scene do not allow. */
 void advice_on_velocities(GPtrArray *all, const TinkerFrame *frame, const TinkerModel *model);
 
+/* Bodies that are not solid and would fall through a top, or lie at one. */
+void advice_on_passing(GPtrArray *all, const TinkerFrame *frame);
+
 #endif

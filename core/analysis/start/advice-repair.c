@@ -103,6 +103,9 @@ static gboolean do_repair(TinkerHistory *history, TinkerScene *scene, const Tink
         return set_vectors(history, scene, advice, TINKER_MEANING_VELOCITY, FALSE, error);
     case TINKER_ADVICE_WOUND_ENDS:
         return swap_ends(history, scene, g_array_index(advice->blocks, TinkerBlockId, 0), error);
+    case TINKER_ADVICE_PASSING:
+        return start_set_meaning(history, scene, g_array_index(advice->blocks, TinkerBlockId, 0), TINKER_MEANING_SOLID,
+                                 (const double[]){1}, error);
     case TINKER_ADVICE_OVERLAP:
         return set_vectors(history, scene, advice, TINKER_MEANING_POSITION, TRUE, error);
     default: /* without repair */

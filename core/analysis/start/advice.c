@@ -308,6 +308,7 @@ GPtrArray *tinker_advice_new(TinkerScene *scene)
     }
     if (all->len == 0) on_model(all, frame); /* which would say the first of these again */
     on_overlaps(all, frame);
+    advice_on_passing(all, frame);
     on_small_wheels(all, scene);
     on_idle_turns(all, scene);
     on_meeting(all, frame);

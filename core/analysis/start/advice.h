@@ -16,6 +16,7 @@ typedef enum {
     TINKER_ADVICE_WOUND_ENDS,   /* what is wound begins where nothing is round, and ends on a disc; repair: swapped */
     TINKER_ADVICE_SMALL_WHEEL,  /* what goes over the centre of something round; no repair */
     TINKER_ADVICE_IDLE_TURN,    /* what acts on angles has an end on a point, or two on one body; no repair */
+    TINKER_ADVICE_PASSING,      /* a body that turns, is not solid and lies at or over a solid top; repair: solid */
 } TinkerAdviceKind;
 
 /* A vector that belongs to a block: a velocity (m/s) or a shift (m). */

@@ -283,3 +283,12 @@ void tinker_plot_draw_legend(cairo_t *cairo, const TinkerPlotLayout *layout)
     place_of(layout, shown, &x, &y);
     draw_label(cairo, layout, more, x, y);
 }
+
+gboolean tinker_plot_shortens_legend(const TinkerPlotLayout *layout)
+{
+    const TinkerLegend *legend = &layout->legend;
+    if (legend->kind == TINKER_LEGEND_NONE) return FALSE;
+    for (int i = 0; i < layout->plot->curve_count; i++)
+        if (label_of(layout, i) && width_of(layout, label_of(layout, i)) > legend->limit) return TRUE;
+    return count_entries(layout) > legend->entries;
+}

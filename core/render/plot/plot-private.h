@@ -125,6 +125,8 @@ gboolean tinker_plot_has_line(const TinkerCurve *curve);
 /* Finds a place for the legend; OUTSIDE and ABOVE where the rectangle of the curves must give way for it. */
 void tinker_plot_place_legend(TinkerPlotLayout *layout);
 void tinker_plot_draw_legend(cairo_t *cairo, const TinkerPlotLayout *layout);
+/* Whether it leaves out something of what the curves are called. */
+gboolean tinker_plot_shortens_legend(const TinkerPlotLayout *layout);
 
 /* The cursor with its dots; plot-marks.c. */
 void tinker_plot_draw_cursor(cairo_t *cairo, const TinkerPlotLayout *layout);

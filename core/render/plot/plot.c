@@ -307,6 +307,9 @@ void tinker_plot_measure(const TinkerPlot *plot, double width, double height, Ti
                                      scale_of(&layout.y),
                                      scale_of(&layout.second),
                                      layout.has_second};
+    for (int i = 0; i < 4 && layout.legend.kind != TINKER_LEGEND_NONE; i++)
+        geometry->legend[i] = layout.legend.box[i];
+    geometry->shortens_legend = tinker_plot_shortens_legend(&layout);
     tinker_plot_layout_clear(&layout);
     tinker_text_pen_clear(&pen);
 }

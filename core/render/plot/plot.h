@@ -84,7 +84,9 @@ typedef struct {
 typedef struct {
     double left, top, right, bottom; /* canvas units: the rectangle of the curves */
     TinkerPlotScale x, y, second;
-    gboolean has_second; /* an axis at the right */
+    gboolean has_second;      /* an axis at the right */
+    double legend[4];         /* left, top, right, bottom; empty where there is none */
+    gboolean shortens_legend; /* labels are cut there, or left out */
 } TinkerPlotGeometry;
 void tinker_plot_measure(const TinkerPlot *plot, double width, double height, TinkerPlotGeometry *geometry);
 

@@ -184,6 +184,16 @@ void tinker_accuracy_page_set_document(TinkerAccuracyPage *page, TinkerDocument 
     on_wished_changed(page);
 }
 
+void tinker_accuracy_page_measure(TinkerAccuracyPage *page)
+{
+    on_measure(page);
+}
+
+gboolean tinker_accuracy_page_is_measuring(TinkerAccuracyPage *page)
+{
+    return tinker_trade_task_is_running(page->task);
+}
+
 static void tinker_accuracy_page_dispose(GObject *object)
 {
     TinkerAccuracyPage *page = TINKER_ACCURACY_PAGE(object);

@@ -14,4 +14,8 @@ G_DECLARE_FINAL_TYPE(TinkerAccuracyPage, tinker_accuracy_page, TINKER, ACCURACY_
 /* Takes a reference. To be called once. */
 void tinker_accuracy_page_set_document(TinkerAccuracyPage *page, TinkerDocument *document);
 
+/* Measures, as its button does; the result is there when it measures no more. */
+void tinker_accuracy_page_measure(TinkerAccuracyPage *page);
+gboolean tinker_accuracy_page_is_measuring(TinkerAccuracyPage *page);
+
 #endif

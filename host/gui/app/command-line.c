@@ -29,6 +29,7 @@ static const GOptionEntry entries[] = {
     {"acceleration", 0, 0, G_OPTION_ARG_NONE, NULL, N_("Show its acceleration"), NULL},
     {"net-force", 0, 0, G_OPTION_ARG_NONE, NULL, N_("Show the sum of the forces on it"), NULL},
     {"trail", 0, 0, G_OPTION_ARG_NONE, NULL, N_("Show where it has been, at equal times"), NULL},
+    {"measure", 0, 0, G_OPTION_ARG_NONE, NULL, N_("Measure speed and accuracy first"), NULL},
     {NULL, 0, 0, G_OPTION_ARG_NONE, NULL, NULL, NULL},
 };
 
@@ -80,8 +81,8 @@ static gboolean read_theme(const char *text, TinkerScreenshot *screenshot, GErro
 /* Options that mean nothing without a picture. */
 static gboolean check_alone(GVariantDict *options, GError **error)
 {
-    static const char *const parts[] = {"scene", "time",   "size",     "theme",        "select",    "page",
-                                        "panel", "forces", "velocity", "acceleration", "net-force", "trail"};
+    static const char *const parts[] = {"scene",  "time",     "size",         "theme",     "select", "page",   "panel",
+                                        "forces", "velocity", "acceleration", "net-force", "trail",  "measure"};
     for (gsize i = 0; i < G_N_ELEMENTS(parts); i++) {
         if (!g_variant_dict_contains(options, parts[i])) continue;
         g_set_error(error, G_OPTION_ERROR, G_OPTION_ERROR_BAD_VALUE, _("--%s goes with --screenshot only"), parts[i]);
@@ -103,6 +104,7 @@ static gboolean read_screenshot(TinkerCommandLine *line, GVariantDict *options, 
     screenshot->acceleration = g_variant_dict_contains(options, "acceleration");
     screenshot->net_force = g_variant_dict_contains(options, "net-force");
     screenshot->trail = g_variant_dict_contains(options, "trail");
+    screenshot->measure = g_variant_dict_contains(options, "measure");
     screenshot->time = NAN;
     screenshot->width = 1280;
     screenshot->height = 800;

@@ -14,7 +14,7 @@ typedef struct {
     char *select; /* a block's name; may be NULL */
     char *page;   /* may be NULL */
     char *panel;  /* may be NULL */
-    gboolean forces, velocity, acceleration, net_force, trail;
+    gboolean forces, velocity, acceleration, net_force, trail, measure;
 } TinkerScreenshot;
 
 typedef struct {

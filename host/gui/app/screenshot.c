@@ -1,5 +1,6 @@
 /* Nothing that depends on the clock may be in the picture: animations are off, and the run is waited for to its end,
- * because the time line shows how far it has come. */
+ * because the time line shows how far it has come. What is measured holds times of the
+ * machine: that alone differs from picture to picture. */
 #include "gui/app/screenshot.h"
 
 #include <glib/gi18n.h>
@@ -187,6 +188,7 @@ static gboolean on_frame(GtkWidget *widget, GdkFrameClock *clock, gpointer data)
     /* Whether the desktop gives it the focus is chance. */
     gtk_widget_unset_state_flags(widget, GTK_STATE_FLAG_BACKDROP);
     if (shot->frames == 0 && tinker_plan_task_is_due(shot->window->plan)) return G_SOURCE_CONTINUE;
+    if (tinker_accuracy_page_is_measuring(shot->window->accuracy)) return G_SOURCE_CONTINUE;
     if (tinker_equations_page_is_behind(TINKER_EQUATIONS_PAGE(shot->window->equations))) return G_SOURCE_CONTINUE;
     if (tinker_graph_plot_any_behind(widget)) shot->frames = MIN(shot->frames, FRAMES_BEFORE + 1);
     /* It was set for a canvas that may have been larger. */
@@ -215,5 +217,6 @@ void tinker_screenshot_take(AdwApplication *application, TinkerCatalogue *catalo
     gtk_window_set_focus_visible(GTK_WINDOW(shot->window), FALSE);
     gtk_window_present(GTK_WINDOW(shot->window));
     tinker_plan_task_demand(shot->window->plan);
+    if (screenshot->measure) tinker_accuracy_page_measure(shot->window->accuracy);
     gtk_widget_add_tick_callback(GTK_WIDGET(shot->window), on_frame, shot, NULL);
 }

@@ -297,6 +297,23 @@ static void on_menu(GtkGestureClick *gesture, int presses, double x, double y, T
     g_signal_emit_by_name(canvas, "menu", x, y);
 }
 
+/* That of what is selected, over the first of it; of the empty canvas in its middle. */
+static gboolean show_menu(TinkerCanvas *canvas)
+{
+    int count;
+    const TinkerBlockId *selected = tinker_document_selection(canvas->document, &count);
+    const TinkerFrame *frame = tinker_player_frame(canvas->player);
+    double x = NAN, y = NAN, orientation;
+    if (count > 0 && frame != NULL) {
+        tinker_frame_centre(frame, selected[0], &x, &y, &orientation);
+        tinker_view_to_canvas(&canvas->view, x, y, &x, &y);
+    }
+    canvas->pointer[0] = isfinite(x) ? CLAMP(x, 0, canvas->view.width) : canvas->view.width / 2;
+    canvas->pointer[1] = isfinite(y) ? CLAMP(y, 0, canvas->view.height) : canvas->view.height / 2;
+    g_signal_emit_by_name(canvas, "menu", canvas->pointer[0], canvas->pointer[1]);
+    return GDK_EVENT_STOP;
+}
+
 /* Keys ----------------------------------------------------------------------------------------------------------------
  */
 
@@ -350,6 +367,10 @@ static gboolean on_key(GtkEventControllerKey *controller, guint key, guint code,
         return select_next(canvas, 1);
     case GDK_KEY_ISO_Left_Tab:
         return select_next(canvas, -1);
+    case GDK_KEY_Menu:
+        return show_menu(canvas);
+    case GDK_KEY_F10:
+        return modifiers & GDK_SHIFT_MASK ? show_menu(canvas) : GDK_EVENT_PROPAGATE;
     case GDK_KEY_Escape:
         if (canvas->gesture != CANVAS_IDLE)
             canvas_cancel_gesture(canvas);

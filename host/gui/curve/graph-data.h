@@ -71,9 +71,16 @@ gsize tinker_graph_data_point(const TinkerGraphData *data, guint curve, gsize dr
  * known, or not yet. */
 gboolean tinker_graph_data_run_error(const TinkerGraphData *data, guint curve, double from, double to, double *error);
 
-/* Mean, extrema, period and damping of its own curves in a part of the time (s; NULL: all), each with its error, that
- * of the run included where it is known. (transfer full) */
-char *tinker_graph_statistics_text(TinkerGraphData *data, const double *range);
+/* A part of the time (s), and whether it is that between the two cursors of a graph. */
+typedef struct {
+    double from, to;
+    gboolean between_cursors;
+} TinkerGraphPart;
+
+/* Mean, extrema, period and damping of its own curves in a part of the time (NULL: all), each with its error, that of
+ * the run included where it is known; and how far they are from the tables of measured values beside them. (transfer
+ * full) */
+char *tinker_graph_statistics_text(TinkerGraphData *data, const TinkerGraphPart *part);
 
 /* Adds a statistic's value with the digits that its error leaves; of one that is less than its error those up to the
  * error's own decade. */

@@ -118,7 +118,7 @@ void graph_data_renew_texts(TinkerGraphData *data)
         g_clear_pointer(texts[i], g_free);
     g_autoptr(GArray) own = own_curves(data);
     g_autofree char *now =
-        tinker_kept_runs_name_of(tinker_player_kept(data->player), tinker_document_scene(data->document));
+        tinker_kept_runs_present_name(tinker_player_kept(data->player), tinker_document_scene(data->document));
     data->title = title_of(data);
     data->x_label = label_of(data, AXIS_X);
     data->y_label = label_of(data, AXIS_LEFT);

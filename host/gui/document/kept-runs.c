@@ -53,15 +53,15 @@ static TinkerKeptRun *newest(TinkerKeptRuns *runs)
     return runs->runs->len > 0 ? tinker_kept_runs_at(runs, runs->runs->len - 1) : NULL;
 }
 
-static char *changes_since(TinkerKeptRuns *runs, TinkerScene *scene)
+static char *values_since(TinkerKeptRuns *runs, TinkerScene *scene)
 {
-    return newest(runs) != NULL ? tinker_scene_changes(newest(runs)->scene, scene) : NULL;
+    return newest(runs) != NULL ? tinker_scene_values_changed(scene, newest(runs)->scene) : NULL;
 }
 
-char *tinker_kept_runs_name_of(TinkerKeptRuns *runs, TinkerScene *scene)
+char *tinker_kept_runs_present_name(TinkerKeptRuns *runs, TinkerScene *scene)
 {
-    char *changes = changes_since(runs, scene);
-    return changes != NULL ? changes : g_strdup_printf(_("Run %u"), runs->next_id + 1);
+    g_autofree char *values = values_since(runs, scene);
+    return values != NULL ? g_strdup_printf(_("%s, now"), values) : g_strdup(C_("run", "now"));
 }
 
 char *tinker_kept_run_name_beside(const TinkerKeptRun *run, TinkerScene *scene)
@@ -86,9 +86,9 @@ gboolean tinker_kept_runs_add(TinkerKeptRuns *runs, TinkerScene *scene, const Ti
 {
     if (runs->runs->len >= TINKER_MOST_KEPT) return FALSE;
     TinkerKeptRun *run = g_new0(TinkerKeptRun, 1);
-    run->name = tinker_kept_runs_name_of(runs, scene);
-    g_autofree char *changes = changes_since(runs, scene);
-    run->is_counted = changes == NULL;
+    char *values = values_since(runs, scene);
+    run->is_counted = values == NULL;
+    run->name = values != NULL ? values : g_strdup_printf(_("Run %u"), runs->next_id + 1);
     name_newest(runs, scene);
     run->id = runs->next_id++;
     run->shown = TRUE;

@@ -32,7 +32,7 @@ TinkerKeptRun *tinker_kept_runs_at(TinkerKeptRuns *runs, guint place);
 
 /* Keeps what is recorded of a scene, which is copied; `shown` is the frame that has shown it (may be NULL), whose spans
  * are the kept one's. Its name says what was changed since the one kept before,
- * "Spring 0: Stiffness 25 → 50 N/m", or is "Run 1"; one of such a name is now named by what was changed since, "Spring
+ * "Spring 0: Stiffness 50 N/m", or is "Run 1"; one of such a name is now named by what was changed since, "Spring
  * 0: Stiffness 25 N/m". FALSE where there are as many as can be. */
 gboolean tinker_kept_runs_add(TinkerKeptRuns *runs, TinkerScene *scene, const TinkerRecording *recording,
                               const TinkerFrame *shown);
@@ -44,8 +44,9 @@ gboolean tinker_kept_runs_have(TinkerKeptRuns *runs, const TinkerRunTask *task);
 void tinker_kept_runs_rename(TinkerKeptRuns *runs, guint place, const char *name);
 void tinker_kept_runs_show(TinkerKeptRuns *runs, guint place, gboolean shown);
 
-/* What the scene would be called that is compared with them. (transfer full) */
-char *tinker_kept_runs_name_of(TinkerKeptRuns *runs, TinkerScene *scene);
+/* What the present run is called beside them: "Spring 0: K 50 N/m, now", by what was changed since the last one.
+ * (transfer full) */
+char *tinker_kept_runs_present_name(TinkerKeptRuns *runs, TinkerScene *scene);
 
 /* What a run is called beside the present scene: its name, or what was changed since in place of its number. (transfer
  * full) */

@@ -110,6 +110,14 @@ void tinker_graph_plot_clear_cursors(TinkerGraphPlot *plot)
     g_signal_emit_by_name(plot, "looks-changed");
 }
 
+gboolean tinker_graph_plot_between_cursors(TinkerGraphPlot *plot, TinkerGraphPart *part)
+{
+    if (plot->cursor_count < 2 || !is_over_time(plot)) return FALSE;
+    const double a = plot->cursors[0].at[0], b = plot->cursors[1].at[0];
+    *part = (TinkerGraphPart){fmin(a, b), fmax(a, b), TRUE};
+    return part->from < part->to;
+}
+
 static char *unit_of(const TinkerGraphPlot *plot, int cursor)
 {
     return g_strdup(tinker_graph_series_y_axis(tinker_graph_data_curve(plot->data, plot->cursors[cursor].curve))->unit);
@@ -274,6 +282,13 @@ static void on_kept_changed(TinkerGraphPlot *plot)
     tinker_graph_plot_renew(plot);
 }
 
+static gboolean on_tooltip(TinkerGraphPlot *plot, int x, int y, gboolean by_key, GtkTooltip *tooltip)
+{
+    g_autofree char *names = by_key ? NULL : tinker_graph_plot_legend_text(plot, x, y);
+    gtk_tooltip_set_text(tooltip, names);
+    return names != NULL;
+}
+
 void tinker_graph_plot_add_input(TinkerGraphPlot *plot)
 {
     GtkEventController *motion = gtk_event_controller_motion_new();
@@ -292,6 +307,8 @@ void tinker_graph_plot_add_input(TinkerGraphPlot *plot)
     GtkEventController *all[] = {motion, scroll, GTK_EVENT_CONTROLLER(drag), GTK_EVENT_CONTROLLER(click)};
     for (gsize i = 0; i < G_N_ELEMENTS(all); i++)
         gtk_widget_add_controller(GTK_WIDGET(plot), all[i]);
+    gtk_widget_set_has_tooltip(GTK_WIDGET(plot), TRUE);
+    g_signal_connect(plot, "query-tooltip", G_CALLBACK(on_tooltip), NULL);
     g_signal_connect_object(tinker_player_kept(plot->player), "changed", G_CALLBACK(on_kept_changed), plot,
                             G_CONNECT_SWAPPED);
     g_signal_connect_object(tinker_player_span(plot->player), "changed", G_CALLBACK(on_span_changed), plot,

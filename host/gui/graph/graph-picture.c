@@ -85,3 +85,15 @@ TinkerGraphAxes tinker_graph_box_axes(const TinkerGraphPlot *plot)
     if (height < THIN_BOX) return TINKER_GRAPH_X;
     return width < THIN_BOX ? TINKER_GRAPH_UP : TINKER_GRAPH_ALL;
 }
+
+char *tinker_graph_plot_legend_text(TinkerGraphPlot *plot, double x, double y)
+{
+    const TinkerPlotGeometry *at = tinker_graph_plot_geometry(plot);
+    if (!at->shortens_legend || tinker_graph_data_is_empty(plot->data) || x < at->legend[0] || x > at->legend[2] ||
+        y < at->legend[1] || y > at->legend[3])
+        return NULL;
+    GString *names = g_string_new(NULL);
+    for (guint i = 0; i < tinker_graph_data_curves(plot->data); i++)
+        g_string_append_printf(names, "%s%s", i > 0 ? "\n" : "", tinker_graph_data_name(plot->data, i));
+    return g_string_free(names, FALSE);
+}

@@ -53,6 +53,10 @@ gboolean tinker_graph_plot_read(TinkerGraphPlot *plot, const TinkerPlot *picture
  * that passes nearest above or below, at the pointer's place across. FALSE where no curve is. */
 gboolean tinker_graph_plot_read_place(TinkerGraphPlot *plot, double x, double y, TinkerGraphReading *reading);
 
+/* The whole names of the curves, a line each, at a place of the legend where that shortens them; NULL elsewhere.
+ * (transfer full) */
+char *tinker_graph_plot_legend_text(TinkerGraphPlot *plot, double x, double y);
+
 /* The axes that the box which is dragged is of; 0: it is none yet. */
 TinkerGraphAxes tinker_graph_box_axes(const TinkerGraphPlot *plot);
 

@@ -35,6 +35,8 @@ void tinker_graph_plot_go_to_next(TinkerGraphPlot *plot, gboolean forward);
  * full; NULL: there is none). */
 void tinker_graph_plot_put_cursor(TinkerGraphPlot *plot);
 void tinker_graph_plot_clear_cursors(TinkerGraphPlot *plot);
+/* The part of the time between both cursors. FALSE where there are not two, at two times. */
+gboolean tinker_graph_plot_between_cursors(TinkerGraphPlot *plot, TinkerGraphPart *part);
 /* "shows 0.5 to 1.2 s" where the time that is seen is not all (transfer full; NULL). */
 char *tinker_graph_plot_zoom_text(TinkerGraphPlot *plot);
 char *tinker_graph_plot_cursor_text(TinkerGraphPlot *plot);

@@ -186,10 +186,15 @@ static void edit_curves(GtkWidget *widget, const char *name, GVariant *parameter
 static void show_statistics(GtkWidget *widget, const char *name, GVariant *parameter)
 {
     TinkerGraphView *view = TINKER_GRAPH_VIEW(widget);
-    double range[2];
-    const gboolean part = tinker_graph_data_is_over_time(tinker_graph_view_data(view)) &&
-                          tinker_time_span_get(tinker_player_span(view->player), range);
-    g_autofree char *text = tinker_graph_statistics_text(tinker_graph_view_data(view), part ? range : NULL);
+    TinkerGraphPart part = {0};
+    double seen[2];
+    gboolean is_part = tinker_graph_plot_between_cursors(TINKER_GRAPH_PLOT(view->plot), &part);
+    if (!is_part && tinker_graph_data_is_over_time(tinker_graph_view_data(view)) &&
+        tinker_time_span_get(tinker_player_span(view->player), seen)) {
+        part = (TinkerGraphPart){seen[0], seen[1], FALSE};
+        is_part = TRUE;
+    }
+    g_autofree char *text = tinker_graph_statistics_text(tinker_graph_view_data(view), is_part ? &part : NULL);
     GtkRoot *root = gtk_widget_get_root(widget);
     tinker_message(GTK_IS_WINDOW(root) ? GTK_WINDOW(root) : NULL, _("Statistics"), text);
 }

@@ -5,6 +5,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "gui/text/block-words.h"
 #include "gui/text/translate.h"
 #include "scene/store/quantities.h"
 
@@ -185,11 +186,14 @@ char *tinker_instrument_title(const TinkerScene *scene, const TinkerSceneInstrum
     TinkerDimension dimension;
     const char *title = instrument->of;
     describe(scene, instrument, &block, &title, &dimension);
-    const char *component = g_str_has_suffix(instrument->of, ".x")   ? " x"
-                            : g_str_has_suffix(instrument->of, ".y") ? " y"
-                                                                     : "";
+    TinkerNumber number;
+    const gboolean is_number = tinker_instrument_controls(instrument) &&
+                               tinker_scene_find_owner(scene, instrument->block, &block) &&
+                               tinker_scene_find_number(scene, block, instrument->of, &number);
+    g_autofree char *words = is_number ? tinker_property_words(number.type, g_str_has_suffix(instrument->of, ".y"))
+                                       : g_strdup(tinker_translate(title));
     const gboolean of_scene = g_str_equal(instrument->block, "Scene");
-    return g_strdup_printf("%s: %s%s", of_scene ? _("Scene") : instrument->block, tinker_translate(title), component);
+    return g_strdup_printf("%s: %s", of_scene ? _("Scene") : instrument->block, words);
 }
 
 const char *tinker_instrument_unit(TinkerScene *scene, const TinkerSceneInstrument *instrument)

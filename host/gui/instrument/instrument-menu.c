@@ -1,6 +1,7 @@
 /* In the order of the descriptor, as in the panel of properties and the menu of graphs. */
 #include "gui/instrument/instrument-menu.h"
 
+#include "gui/text/block-words.h"
 #include "gui/text/translate.h"
 #include "scene/store/quantities.h"
 
@@ -13,15 +14,15 @@ static void append(GMenu *menu, const char *label, const char *action, const cha
 
 static void append_control(GMenu *menu, const TinkerPropertyType *property)
 {
-    static const char *const components[] = {"x", "y"};
     if (property->flags & (TINKER_READ_ONLY | TINKER_DERIVED)) return;
+    if (property->meaning == TINKER_MEANING_LOCAL_ORIGIN) return; /* which moves nothing */
     if (property->kind != TINKER_KIND_VECTOR) {
         append(menu, tinker_translate(property->title), "win.add-control", property->id);
         return;
     }
     for (int i = 0; i < 2; i++) {
-        g_autofree char *label = g_strdup_printf("%s %s", tinker_translate(property->title), components[i]);
-        g_autofree char *name = g_strdup_printf("%s.%s", property->id, components[i]);
+        g_autofree char *label = tinker_property_words(property, i);
+        g_autofree char *name = g_strdup_printf("%s.%c", property->id, "xy"[i]);
         append(menu, label, "win.add-control", name);
     }
 }

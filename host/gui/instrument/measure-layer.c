@@ -3,6 +3,7 @@
 #include "gui/instrument/measure-layer.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "gui/widget/desktop-theme.h"
 
@@ -21,7 +22,9 @@ struct _TinkerMeasureLayer {
     TinkerSceneEnd next;       /* what is pointed at */
     gboolean has_next;
     double press[2];
-    int point; /* of a body, that Tab has come to */
+    gboolean by_key; /* places are chosen by keys, until the pointer is moved */
+    double rest[2];  /* widget units of the window: where the pointer lies meanwhile; NAN: not known */
+    int point;       /* of a body, that Tab has come to */
 };
 
 G_DEFINE_FINAL_TYPE(TinkerMeasureLayer, tinker_measure_layer, GTK_TYPE_WIDGET)
@@ -50,6 +53,7 @@ static void tell(TinkerMeasureLayer *layer)
 void tinker_measure_layer_begin(TinkerMeasureLayer *layer, TinkerMeasuringKind kind)
 {
     layer->measuring = (TinkerMeasuring){.kind = kind};
+    layer->by_key = FALSE;
     layer->has_next = FALSE;
     layer->point = -1;
     tell(layer);
@@ -87,6 +91,7 @@ static void take(TinkerMeasureLayer *layer)
 
 static void on_press(GtkGestureDrag *gesture, double x, double y, TinkerMeasureLayer *layer)
 {
+    layer->by_key = FALSE;
     gtk_widget_grab_focus(GTK_WIDGET(layer));
     layer->press[0] = x;
     layer->press[1] = y;
@@ -110,9 +115,21 @@ static void on_release(GtkGestureDrag *gesture, double dx, double dy, TinkerMeas
     tell(layer);
 }
 
+/* A pointer that lies still is told of anew where what is below it has moved, as when the bar of the tool grows: it
+ * would take away what a key has chosen. */
+static gboolean rests(GtkEventController *controller, TinkerMeasureLayer *layer)
+{
+    double at[2] = {0, 0};
+    GdkEvent *event = gtk_event_controller_get_current_event(controller);
+    if (!layer->by_key || event == NULL || !gdk_event_get_position(event, &at[0], &at[1])) return FALSE;
+    if (isnan(layer->rest[0])) memcpy(layer->rest, at, sizeof at);
+    layer->by_key = hypot(at[0] - layer->rest[0], at[1] - layer->rest[1]) < THRESHOLD;
+    return layer->by_key;
+}
+
 static void on_motion(GtkEventControllerMotion *controller, double x, double y, TinkerMeasureLayer *layer)
 {
-    if (is_whole(layer)) return;
+    if (is_whole(layer) || rests(GTK_EVENT_CONTROLLER(controller), layer)) return;
     point_at(layer, x, y, gtk_event_controller_get_current_event_state(GTK_EVENT_CONTROLLER(controller)));
     tell(layer);
 }
@@ -149,6 +166,8 @@ static gboolean on_key(GtkEventControllerKey *controller, guint key, guint code,
                        TinkerMeasureLayer *layer)
 {
     if (modifiers & GDK_CONTROL_MASK) return GDK_EVENT_PROPAGATE;
+    if (!layer->by_key) layer->rest[0] = NAN;
+    layer->by_key = TRUE;
     switch (key) {
     case GDK_KEY_Tab:
         return go_to_point(layer, 1);

@@ -98,12 +98,19 @@ char *tinker_measuring_text(const TinkerMeasuring *measuring, const TinkerFrame 
     return angle_text(atan2(a[0] * b[1] - a[1] * b[0], a[0] * b[0] + a[1] * b[1]));
 }
 
-gboolean tinker_measuring_can_keep(const TinkerMeasuring *measuring, TinkerScene *scene)
+const char *tinker_measuring_why_not_kept(const TinkerMeasuring *measuring, TinkerScene *scene)
 {
-    gboolean can = measuring->count == tinker_measuring_whole(measuring->kind);
-    for (int i = 0; can && i < measuring->count; i++)
-        can = measuring->ends[i].block != TINKER_NO_BLOCK && tinker_scene_has_block(scene, measuring->ends[i].block);
-    return can;
+    static const char *const off[][3] = {
+        [TINKER_RULER] = {N_("Its first end is on no body or support: a block needs both ends there"),
+                          N_("Its second end is on no body or support: a block needs both ends there")},
+        [TINKER_PROTRACTOR] = {N_("Its corner is on no body or support: a block needs all three places there"),
+                               N_("Its first leg ends on no body or support: a block needs all three places there"),
+                               N_("Its second leg ends on no body or support: a block needs all three places there")}};
+    if (measuring->count < tinker_measuring_whole(measuring->kind)) return _("Nothing is measured yet");
+    for (int i = 0; i < measuring->count; i++)
+        if (measuring->ends[i].block == TINKER_NO_BLOCK || !tinker_scene_has_block(scene, measuring->ends[i].block))
+            return _(off[measuring->kind][i]);
+    return NULL;
 }
 
 gboolean tinker_measuring_keep(const TinkerMeasuring *measuring, TinkerDocument *document, GError **error)
@@ -113,7 +120,7 @@ gboolean tinker_measuring_keep(const TinkerMeasuring *measuring, TinkerDocument 
     const int whole = tinker_measuring_whole(measuring->kind);
     const TinkerBlockClass *block_class =
         tinker_catalogue_type(tinker_document_catalogue(document), kept[measuring->kind].type, error);
-    if (block_class == NULL || !tinker_measuring_can_keep(measuring, scene)) return FALSE;
+    if (block_class == NULL || tinker_measuring_why_not_kept(measuring, scene) != NULL) return FALSE;
     tinker_document_begin(document, _(kept[measuring->kind].title), NULL);
     const TinkerBlockId block = tinker_history_add_block_of(history, block_class, whole);
     for (int i = 0; i < whole; i++)

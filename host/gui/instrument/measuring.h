@@ -29,9 +29,10 @@ TinkerSceneEnd tinker_measuring_snap(const TinkerFrame *frame, double x, double 
  * not whole. (transfer full) */
 char *tinker_measuring_text(const TinkerMeasuring *measuring, const TinkerFrame *frame, gboolean in_full);
 
+/* What keeps it from becoming a block: nothing is measured, or an end is on no block. NULL: nothing does. Borrowed. */
+const char *tinker_measuring_why_not_kept(const TinkerMeasuring *measuring, TinkerScene *scene);
 /* Makes a block of it, which is selected: one step for undo. FALSE where an end is on no block, or the error says why.
  */
-gboolean tinker_measuring_can_keep(const TinkerMeasuring *measuring, TinkerScene *scene);
 gboolean tinker_measuring_keep(const TinkerMeasuring *measuring, TinkerDocument *document, GError **error);
 
 #endif

@@ -21,6 +21,7 @@
 struct _TinkerPalette {
     GtkWidget parent_instance;
     GtkWidget *search, *none, *list;
+    GtkWidget *last; /* the button of the block that was placed last; borrowed, may be NULL */
     TinkerCatalogue *catalogue;
     TinkerCanvas *canvas;
     gboolean compact; /* symbols alone */
@@ -34,12 +35,14 @@ typedef struct {
     const TinkerBlockClass *block_class;
     GtkWidget *button, *label;
     GStrv words; /* that it is found by */
+    GStrv names; /* those of them that are of its title */
     gboolean dragged;
 } Item;
 
 static void item_free(gpointer data)
 {
     g_strfreev(((Item *)data)->words);
+    g_strfreev(((Item *)data)->names);
     g_free(data);
 }
 
@@ -73,6 +76,7 @@ static guint rank_of(const char *category)
 static void on_clicked(Item *item)
 {
     if (!item->dragged) tinker_canvas_add(item->palette->canvas, item->block_class);
+    item->palette->last = item->button;
     item->dragged = FALSE;
     gtk_widget_grab_focus(GTK_WIDGET(item->palette->canvas));
 }
@@ -146,6 +150,7 @@ static GtkWidget *button_of(TinkerPalette *palette, const TinkerBlockClass *bloc
     g_autofree char *found_by =
         g_strjoin(" ", title, type->summary != NULL ? tinker_translate(type->summary) : "", NULL);
     item->words = tinker_search_words(found_by);
+    item->names = tinker_search_words(title);
     item->button = gtk_button_new();
     GtkWidget *row = gtk_box_new(GTK_ORIENTATION_HORIZONTAL, 8);
     item->label = gtk_label_new(title);
@@ -213,26 +218,39 @@ static void on_searched(TinkerPalette *palette)
     gtk_widget_set_visible(palette->none, !any);
 }
 
-/* Return places the first that is found by what stands in the entry, of which the list may not know yet: it is told of
- * changes some time after they are made. Where nothing is searched for, nothing has been found. */
+/* Return places the first whose title has what stands in the entry, else the first that is found by it: what is like a
+ * spring is not meant by "spring". The list may not know the entry yet: it is told of changes some time after they are
+ * made. Where nothing is searched for, nothing has been found. */
 static void on_search_activated(TinkerPalette *palette)
 {
     g_auto(GStrv) stems = tinker_search_stems(gtk_editable_get_text(GTK_EDITABLE(palette->search)));
     if (*stems == NULL) return;
     on_searched(palette);
-    for (GtkWidget *child = gtk_widget_get_first_child(palette->list); child != NULL;
+    Item *first = NULL;
+    gboolean is_named = FALSE;
+    for (GtkWidget *child = gtk_widget_get_first_child(palette->list); child != NULL && !is_named;
          child = gtk_widget_get_next_sibling(child)) {
-        if (item_of(child) == NULL || !gtk_widget_get_visible(child)) continue;
-        on_clicked(item_of(child));
-        gtk_editable_set_text(GTK_EDITABLE(palette->search), "");
-        return;
+        Item *item = item_of(child);
+        if (item == NULL || !gtk_widget_get_visible(child)) continue;
+        is_named = tinker_search_finds(item->names, stems);
+        if (first == NULL || is_named) first = item;
     }
+    if (first == NULL) return;
+    on_clicked(first);
+    gtk_editable_set_text(GTK_EDITABLE(palette->search), "");
 }
 
 static void on_search_stopped(TinkerPalette *palette)
 {
     gtk_editable_set_text(GTK_EDITABLE(palette->search), "");
     gtk_widget_grab_focus(GTK_WIDGET(palette->canvas));
+}
+
+/* Letters that are typed in the list are searched for. */
+static void on_search_started(TinkerPalette *palette)
+{
+    gtk_widget_grab_focus(palette->search);
+    gtk_editable_set_position(GTK_EDITABLE(palette->search), -1);
 }
 
 static GtkWidget *make_search(TinkerPalette *palette)
@@ -245,6 +263,7 @@ static GtkWidget *make_search(TinkerPalette *palette)
     gtk_accessible_update_property(GTK_ACCESSIBLE(palette->search), GTK_ACCESSIBLE_PROPERTY_LABEL, _("Find a Block"),
                                    -1);
     g_signal_connect_swapped(palette->search, "search-changed", G_CALLBACK(on_searched), palette);
+    g_signal_connect_swapped(palette->search, "search-started", G_CALLBACK(on_search_started), palette);
     g_signal_connect_swapped(palette->search, "activate", G_CALLBACK(on_search_activated), palette);
     g_signal_connect_swapped(palette->search, "stop-search", G_CALLBACK(on_search_stopped), palette);
     return palette->search;
@@ -270,7 +289,8 @@ void tinker_palette_set_compact(TinkerPalette *palette, gboolean compact)
 
 void tinker_palette_focus(TinkerPalette *palette)
 {
-    gtk_widget_child_focus(palette->list, GTK_DIR_TAB_FORWARD);
+    if (palette->last == NULL || !gtk_widget_get_visible(palette->last) || !gtk_widget_grab_focus(palette->last))
+        gtk_widget_child_focus(palette->list, GTK_DIR_TAB_FORWARD);
 }
 
 void tinker_palette_set_canvas(TinkerPalette *palette, TinkerCatalogue *catalogue, TinkerCanvas *canvas)
@@ -315,6 +335,7 @@ static void tinker_palette_init(TinkerPalette *palette)
     gtk_label_set_wrap(GTK_LABEL(palette->none), TRUE);
     gtk_label_set_max_width_chars(GTK_LABEL(palette->none), 1);
     gtk_widget_set_parent(make_search(palette), GTK_WIDGET(palette));
+    gtk_search_entry_set_key_capture_widget(GTK_SEARCH_ENTRY(palette->search), palette->list);
     gtk_widget_set_parent(palette->none, GTK_WIDGET(palette));
     gtk_scrolled_window_set_child(GTK_SCROLLED_WINDOW(scrolled), palette->list);
     gtk_widget_set_vexpand(scrolled, TRUE);

@@ -10,7 +10,7 @@ G_DECLARE_FINAL_TYPE(TinkerPalette, tinker_palette, TINKER, PALETTE, GtkWidget)
 /* Shows what the catalogue has; blocks go to this canvas. The catalogue is borrowed. */
 void tinker_palette_set_canvas(TinkerPalette *palette, TinkerCatalogue *catalogue, TinkerCanvas *canvas);
 
-/* Gives the focus to the first block. */
+/* Gives the focus to the block that was placed last, before that to the first one. */
 void tinker_palette_focus(TinkerPalette *palette);
 
 /* Symbols alone, with their names in tooltips, where the window is narrow. */

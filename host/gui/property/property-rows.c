@@ -3,10 +3,10 @@
  * The local origin is shown as the offset of the block from it. Typing an offset moves the block; the origin stays. */
 #include <glib/gi18n.h>
 #include <math.h>
-#include <string.h>
 
 #include "analysis/start/joined.h"
 #include "gui/property/property-rows.h"
+#include "gui/text/block-words.h"
 #include "gui/text/number-text.h"
 #include "gui/text/translate.h"
 #include "scene/frame/frame-quantity.h"
@@ -292,21 +292,11 @@ static char *describe(const PropertyBuilder *builder, int32_t property, int32_t 
     return g_string_free(text, FALSE);
 }
 
-/* Whether one text has the other in it, in whatever case. */
-static gboolean holds(const char *text, const char *part)
-{
-    g_autofree char *folded_text = g_utf8_casefold(text, -1), *folded_part = g_utf8_casefold(part, -1);
-    return strstr(folded_text, folded_part) != NULL;
-}
-
-/* Whether a vector's own title has to come before the labels of its components: "Centre X". It need not where the label
- * or the heading has it already, and must not where something else is shown, the offset. */
+/* Where something else is shown, the offset, it must not. */
 static gboolean needs_title(const PropertyBuilder *builder, int32_t property, int32_t component)
 {
-    const TinkerPropertyType *type = &builder->block_class->properties[property];
-    const char *label = type->component_titles[component];
-    return label != NULL && !is_offset(builder->block_class, property) && !holds(label, type->title) &&
-           !holds(type->group, type->title);
+    return !is_offset(builder->block_class, property) &&
+           tinker_component_needs_title(&builder->block_class->properties[property], component);
 }
 
 /* The label of a row, and what it is sorted by. (transfer full) */

@@ -2,6 +2,7 @@
 #include "gui/text/block-words.h"
 
 #include <glib/gi18n.h>
+#include <string.h>
 
 #include "gui/text/translate.h"
 
@@ -55,4 +56,28 @@ char *tinker_block_words(TinkerScene *scene, TinkerBlockId block)
 {
     g_autofree char *place = place_words(scene, block);
     return g_strjoin(", ", tinker_scene_block_name(scene, block), tinker_block_type_title(scene, block), place, NULL);
+}
+
+/* Whether one text has the other in it, in whatever case. */
+static gboolean holds(const char *text, const char *part)
+{
+    g_autofree char *folded_text = g_utf8_casefold(text, -1), *folded_part = g_utf8_casefold(part, -1);
+    return strstr(folded_text, folded_part) != NULL;
+}
+
+gboolean tinker_component_needs_title(const TinkerPropertyType *type, int32_t component)
+{
+    const char *label = type->component_titles[component];
+    return label != NULL && !holds(label, type->title) && !holds(type->group, type->title);
+}
+
+char *tinker_property_words(const TinkerPropertyType *type, int32_t component)
+{
+    const char *label = type->kind == TINKER_KIND_VECTOR ? type->component_titles[component] : NULL;
+    if (label == NULL) return g_strdup(tinker_translate(type->title));
+    if (holds(label, type->title)) return g_strdup(tinker_translate(label));
+    /* of the origin itself, not of the offset that its heading is of */
+    const gboolean by_title =
+        type->meaning == TINKER_MEANING_LOCAL_ORIGIN || tinker_component_needs_title(type, component);
+    return g_strdup_printf("%s %s", tinker_translate(by_title ? type->title : type->group), tinker_translate(label));
 }

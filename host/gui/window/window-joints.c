@@ -5,11 +5,10 @@
 #include "edit/outline.h"
 #include "gui/text/translate.h"
 #include "gui/window/window-parts.h"
-#include "scene/frame/tops.h"
 
 #include <glib/gi18n.h>
 
-/* A body that was dropped, the one that it met, and what would join them; NULL: it lies on that, and is not solid. */
+/* A body that was dropped, the one that it met, and what would join them. */
 typedef struct {
     TinkerWindow *window;
     TinkerBlockId dropped, met;
@@ -41,17 +40,6 @@ static void join(void *data)
     tinker_canvas_add(window->canvas, joint); /* the notice goes with this change, and the meeting with it */
 }
 
-static void make_solid(void *data)
-{
-    const Meeting *meeting = data;
-    TinkerDocument *document = meeting->window->document;
-    const TinkerBlockClass *block_class = tinker_scene_block_class(tinker_document_scene(document), meeting->dropped);
-    tinker_document_begin(document, _("Make It Solid"), NULL);
-    tinker_history_set(tinker_document_history(document), meeting->dropped, block_class->meanings[TINKER_MEANING_SOLID],
-                       (const double[]){1}, NULL);
-    tinker_document_end(document);
-}
-
 static void select_both(void *data)
 {
     const Meeting *meeting = data;
@@ -65,30 +53,16 @@ static void tell(TinkerWindow *window, const Meeting *meeting)
     GPtrArray *notices = g_ptr_array_new_with_free_func((GDestroyNotify)tinker_notice_free);
     if (meeting != NULL) {
         TinkerScene *scene = tinker_document_scene(window->document);
-        const gboolean joins = meeting->joint != NULL;
-        g_autofree char *text = g_strdup_printf(
-            joins ? _("%s and %s meet there.") : _("%s is not solid, and passes through %s."),
-            tinker_scene_block_name(scene, meeting->dropped), tinker_scene_block_name(scene, meeting->met));
-        g_autofree char *button = joins ? g_strdup_printf(_("Add %s"), tinker_translate(meeting->joint->type->title))
-                                        : g_strdup(_("Make It Solid"));
-        TinkerNotice *notice = tinker_notice_new(TINKER_NOTICE_HINT, text, button, joins ? join : make_solid,
-                                                 g_memdup2(meeting, sizeof *meeting), g_free);
+        g_autofree char *text =
+            g_strdup_printf(_("%s and %s meet there."), tinker_scene_block_name(scene, meeting->dropped),
+                            tinker_scene_block_name(scene, meeting->met));
+        g_autofree char *button = g_strdup_printf(_("Add %s"), tinker_translate(meeting->joint->type->title));
+        TinkerNotice *notice =
+            tinker_notice_new(TINKER_NOTICE_HINT, text, button, join, g_memdup2(meeting, sizeof *meeting), g_free);
         notice->locate = select_both;
         g_ptr_array_add(notices, notice);
     }
     tinker_notice_bar_set(window->notices, "meeting", notices);
-}
-
-/* The top that a body which turns lies at, though it will pass it since it is not solid. */
-static TinkerBlockId passed_top(TinkerScene *scene, TinkerBlockId body)
-{
-    const TinkerBlockClass *block_class = tinker_scene_block_class(scene, body);
-    if (!tinker_block_class_turns(block_class) || block_class->meanings[TINKER_MEANING_SOLID] < 0)
-        return TINKER_NO_BLOCK;
-    g_autoptr(TinkerFrame) frame = tinker_frame_new(scene, NULL);
-    if (frame == NULL || tinker_frame_meaning(frame, body, TINKER_MEANING_SOLID, 0, 1) != 0) return TINKER_NO_BLOCK;
-    const TinkerTop top = tinker_top_nearest(frame, body);
-    return tinker_top_touches(frame, &top, body) ? top.plate : TINKER_NO_BLOCK;
 }
 
 static void on_dropped(TinkerCanvas *canvas, TinkerBlockId block, double reach, TinkerWindow *window)
@@ -96,9 +70,7 @@ static void on_dropped(TinkerCanvas *canvas, TinkerBlockId block, double reach, 
     TinkerScene *scene = tinker_document_scene(window->document);
     const TinkerBlockClass *joint = turning_joint(tinker_document_catalogue(window->document));
     const TinkerBlockId met = joint != NULL ? tinker_body_met(scene, block, reach) : TINKER_NO_BLOCK;
-    const TinkerBlockId top = met != TINKER_NO_BLOCK ? TINKER_NO_BLOCK : passed_top(scene, block);
     if (met != TINKER_NO_BLOCK) tell(window, &(Meeting){window, block, met, joint});
-    if (top != TINKER_NO_BLOCK) tell(window, &(Meeting){window, block, top, NULL});
 }
 
 /* What is edited afterwards makes the offer void: where they still meet, another drop finds them. */

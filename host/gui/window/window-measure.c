@@ -41,8 +41,9 @@ static void on_measured(Tool *tool)
         gtk_label_set_text(GTK_LABEL(tool->read), shown);
         gtk_accessible_update_property(GTK_ACCESSIBLE(tool->layer), GTK_ACCESSIBLE_PROPERTY_DESCRIPTION, shown, -1);
     }
-    gtk_widget_set_sensitive(tool->keep,
-                             tinker_measuring_can_keep(&measuring, tinker_document_scene(tool->window->document)));
+    const char *why_not = tinker_measuring_why_not_kept(&measuring, tinker_document_scene(tool->window->document));
+    gtk_widget_set_sensitive(tool->keep, why_not == NULL);
+    gtk_widget_set_tooltip_text(tool->keep, why_not != NULL ? why_not : _("As a block of the scene"));
 }
 
 static void put_away(Tool *tool)
@@ -74,8 +75,6 @@ static void add_bar(Tool *tool, TinkerMeasuringKind kind)
     gtk_widget_add_css_class(tool->read, "numeric");
     tool->keep =
         gtk_button_new_with_mnemonic(kind == TINKER_RULER ? _("_Keep as Dimension") : _("_Keep as Angle Mark"));
-    gtk_widget_set_tooltip_text(tool->keep,
-                                _("As a block of the scene; all its ends have to be on bodies or supports"));
     GtkWidget *done = gtk_button_new_with_mnemonic(_("_Put Away"));
     g_signal_connect_swapped(tool->keep, "clicked", G_CALLBACK(on_keep), tool);
     g_signal_connect_swapped(done, "clicked", G_CALLBACK(put_away), tool);

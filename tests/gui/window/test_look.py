@@ -212,5 +212,22 @@ def test_statistics(display):
         app.click("Close", inside=app.find(None, "Statistics"))
 
 
+def test_statistics_between_cursors(display):
+    """From the top to the ground, with 2/3 of the greatest height in the mean."""
+    with App(display, thrown(HEIGHT)) as app:
+        run(app)
+        app.seek(0.1)
+        focus(app, graph(app))
+        for time in (1, 2):
+            app.press("n")
+            wait(lambda: app.time() == time, "the top, and then the ground")
+            app.press("c")
+        wait(lambda: "Δt = 1 s" in graph(app).refreshed().description, "cursors at the top and at the ground")
+        app.press("s")
+        text = wait(lambda: app.look("label", re.compile("between cursors A and B, from 1 to 2 s")), "the part").name
+        check_close(float(re.search(r"Mean = (\S+) m", text).group(1)), 2 / 3 * 4.905, 1e-4, "mean of the part (m)")
+        app.click("Close", inside=app.find(None, "Statistics"))
+
+
 if __name__ == "__main__":
     main()

@@ -41,6 +41,19 @@ def test_ruler_snaps_and_is_kept(display):
         app.gone("button", "Keep as Dimension")
 
 
+def test_ruler_off_bodies_says_why_it_is_not_kept(display):
+    with App(display, triangle()) as app:
+        app.show_width()
+        app.press("ctrl+r")
+        app.find(None, "Ruler")
+        button = app.find("button", "Keep as Dimension")
+        check_equal(button.description, "Nothing is measured yet", "before anything is measured")
+        app.drag((1.45, -2.03), (3, 2))
+        wait(lambda: "second end is on no body" in button.refreshed().description, "the reason")
+        app.drag((3, 2), (1.45, -2.03))
+        wait(lambda: "first end is on no body" in button.refreshed().description, "the reason of the other way")
+
+
 def test_protractor_by_drag_and_click(display):
     with App(display, triangle()) as app:
         app.show_width()
@@ -58,6 +71,7 @@ def test_protractor_by_drag_and_click(display):
 def test_keys_measure_too_and_nothing_is_left(display):
     with App(display, triangle()) as app:
         app.show_width()
+        app.xdotool("mousemove", *app.at(0.7, 1.3))  # which is not where the keys go
         app.press("ctrl+r")
         app.find(None, "Ruler")
         for key in ("Tab", "Return", "Tab", "Return"):

@@ -301,6 +301,25 @@ def test_insert_places_by_keys_alone(display):
         check_equal(sorted(block["type"] for block in app.blocks().values()), ["box", "mass"], "blocks")
         app.press("Delete")  # the canvas has the focus again, and the new block is selected
         check_equal(list(app.blocks()), ["A"], "blocks")
+        app.press("Insert", "Return")  # the list is where it was left
+        app.find_starting("list item", "Box")
+        app.press("Delete", "Insert")
+        app.type("spring")  # of which more than the spring tell, a bumper first
+        app.press("Return")
+        wait(lambda: sorted(block["type"] for block in app.blocks().values()) == ["mass", "spring"], "a spring")
+
+
+def test_menu_of_what_is_selected_by_key(display):
+    with App(display, scene(mass("A", -2, 0), mass("B", 2, 0))) as app:
+        app.click_world(-1.8, 0.2)
+        for keys in ("Menu", "shift+F10"):
+            app.press(keys)
+            app.find_item("Add Graph")
+            app.press("Escape")
+            wait(lambda: app.look(None, "Add Graph") is None, "the menu to close")
+        app.press("Menu")
+        app.choose("Delete")
+        wait(lambda: list(app.blocks()) == ["B"], "what was selected to go")
 
 
 def test_canvas_says_what_is_selected(display):
