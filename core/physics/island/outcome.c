@@ -22,11 +22,11 @@ gboolean tinker_island_run_fail_at(TinkerIslandRun *run, double t, const char *w
     TinkerSummary *summary = &run->summary;
     summary->simulated_s = t;
     summary->valid_until = fmin(summary->valid_until, t);
-    g_set_error(
-        error, TINKER_MODEL_ERROR, run->model->lacks_memory ? TINKER_MODEL_ERROR_MEMORY : TINKER_MODEL_ERROR_RUN,
-        _("the run stopped at t = %.6g s: %s; what was computed is to be believed up to t = %.6g s"), t,
-        why != NULL && why[0] != '\0' ? why : _("a force or a constraint cannot be worked out there"),
-        summary->valid_until);
+    g_set_error(error, TINKER_MODEL_ERROR,
+                run->model->lacks_memory ? TINKER_MODEL_ERROR_MEMORY : TINKER_MODEL_ERROR_RUN,
+                _("the run stopped at t = %.6g s: %s; what was computed is to be believed up to t = %.6g s"), t,
+                why != NULL && why[0] != '\0' ? why : _("a force or a constraint cannot be worked out there"),
+                summary->valid_until);
     return FALSE;
 }
 
