@@ -472,6 +472,11 @@ static void test_passing(void)
                  {"'position': [2.5, 3]", pull, FALSE},
                  {"'position': [1, 3]", NULL, FALSE},
                  {"'position': [1, -3]", pull, FALSE},
+                 {"'position': [1, 3]", "{'type': 'wind', 'drag': 1}", FALSE},
+                 {"'position': [1, 3]", "{'type': 'gravity', 'acceleration': 0}", FALSE},
+                 {"'position': [1, 3]", "{'type': 'gravity', 'angle': '90 deg'}", FALSE},
+                 {"'position': [1, 3]", "{'type': 'gravity', 'angle': '-45 deg'}", FALSE},
+                 {"'position': [-3, 3]", "{'type': 'gravity', 'angle': '-45 deg'}", TRUE},
                  {"'position': [0, 0.5], 'orientation': '90 deg', 'width': 0", NULL, TRUE},
                  {"'position': [1, 3]",
                   "{'type': 'gravity', 'name': 'G'}, {'type': 'support', 'name': 'Hook', 'position': [1, 5], "

@@ -4,16 +4,29 @@
 
 #include "analysis/start/advice-private.h"
 #include "analysis/start/start-private.h"
+#include "physics/run/acting-forces.h"
 #include "scene/frame/tops.h"
 
-/* Whether something pulls all bodies: a block that is a field. */
-static gboolean has_field(TinkerScene *scene)
+/* So steeply, as a sine, a fall meets a top that it is told of. */
+#define STEEP 0.5
+
+/* The direction in which fields pull a body at the start; FALSE where none does, or the scene cannot run. */
+static gboolean find_pull(TinkerScene *scene, TinkerBlockId body, double pull[2])
 {
-    for (int32_t i = 0; i < tinker_scene_block_count(scene); i++) {
-        const TinkerBlockClass *block_class = tinker_scene_block_class(scene, tinker_scene_block_at(scene, i));
-        if (block_class != NULL && block_class->physics != NULL && block_class->physics->field != NULL) return TRUE;
+    g_autoptr(GArray) forces = tinker_acting_forces_array();
+    pull[0] = pull[1] = 0;
+    if (!tinker_acting_forces_at_start(scene, forces, NULL)) return FALSE;
+    for (guint i = 0; i < forces->len; i++) {
+        const TinkerActingForce *force = &g_array_index(forces, TinkerActingForce, i);
+        if (force->kind != TINKER_ACTING_FIELD || force->on != body) continue;
+        pull[0] += force->fx;
+        pull[1] += force->fy;
     }
-    return FALSE;
+    const double size = hypot(pull[0], pull[1]);
+    if (!(size > 0)) return FALSE;
+    pull[0] /= size;
+    pull[1] /= size;
+    return TRUE;
 }
 
 /* What a joint holds, or hangs on anything, may be drawn in front of supports and be meant to pass. */
@@ -28,25 +41,26 @@ static gboolean is_held(TinkerScene *scene, TinkerBlockId body, gboolean by_join
     return FALSE;
 }
 
-/* Whether the vertical through a place meets the top below it. */
-static gboolean is_below(const TinkerTop *top, const double place[2])
+/* How far (m) a place is from a top along the pull; INFINITY where it does not fall onto it. */
+static double way_to(const TinkerTop *top, const double place[2], const double pull[2])
 {
-    const double height = tinker_top_height(top, place);
-    if (!(top->normal[1] > 0.5) || !(height > 0)) return FALSE;
-    const double at[2] = {place[0] - top->middle[0], place[1] - height / top->normal[1] - top->middle[1]};
-    return fabs(at[0] * top->along[0] + at[1] * top->along[1]) <= top->half_width;
+    const double height = tinker_top_height(top, place), steep = -(pull[0] * top->normal[0] + pull[1] * top->normal[1]);
+    if (!(steep > STEEP) || !(height > 0)) return INFINITY;
+    const double way = height / steep,
+                 at[2] = {place[0] + way * pull[0] - top->middle[0], place[1] + way * pull[1] - top->middle[1]};
+    return fabs(at[0] * top->along[0] + at[1] * top->along[1]) <= top->half_width ? way : INFINITY;
 }
 
-/* The solid top that a body lies at, or of those below it the nearest. */
+/* The solid top that a body lies at, or the first of those that it falls onto. */
 static TinkerBlockId passed_top(const TinkerFrame *frame, TinkerBlockId body)
 {
     TinkerScene *scene = tinker_frame_scene(frame);
     const TinkerTop nearest = tinker_top_nearest(frame, body);
     if (is_held(scene, body, TRUE)) return TINKER_NO_BLOCK;
     if (nearest.plate != TINKER_NO_BLOCK && tinker_top_touches(frame, &nearest, body)) return nearest.plate;
-    if (is_held(scene, body, FALSE) || !has_field(scene)) return TINKER_NO_BLOCK;
     TinkerBlockId found = TINKER_NO_BLOCK;
-    double centre[2], angle, least = INFINITY;
+    double centre[2], angle, pull[2], least = INFINITY;
+    if (is_held(scene, body, FALSE) || !find_pull(scene, body, pull)) return TINKER_NO_BLOCK;
     tinker_frame_centre(frame, body, &centre[0], &centre[1], &angle);
     for (int32_t i = 0; i < tinker_scene_block_count(scene); i++) {
         const TinkerBlockId plate = tinker_scene_block_at(scene, i);
@@ -54,9 +68,9 @@ static TinkerBlockId passed_top(const TinkerFrame *frame, TinkerBlockId body)
             tinker_frame_meaning(frame, plate, TINKER_MEANING_SOLID, 0, 1) == 0)
             continue;
         const TinkerTop top = tinker_top_of(frame, plate);
-        const double height = tinker_top_height(&top, centre);
-        if (!is_below(&top, centre) || !(height < least)) continue;
-        least = height;
+        const double way = way_to(&top, centre, pull);
+        if (!(way < least)) continue;
+        least = way;
         found = plate;
     }
     return found;

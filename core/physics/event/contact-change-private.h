@@ -43,6 +43,7 @@ typedef struct {
     gboolean forced;  /* what was found to reach the limit of sticking slips, whatever the laws could share otherwise */
     gboolean jams;    /* forces have grown beyond all bounds up to here: an impulse is to end that */
     gboolean rattles; /* what is met has struck by turns with others without end, within no time (contact-turns.c) */
+    gboolean turns;   /* the force of the trigger's contact has changed by turns likewise, and it is of this group */
     double tolerance; /* m: within it a gap is closed */
     double speed, slow;   /* m/s: the largest; the share of it that is still */
     GArray *alternatives; /* of TinkerAlternative: of the impact, where the laws differ; else NULL. Owned */

@@ -253,6 +253,8 @@ static gboolean change_group(TinkerContactRun *self, const TinkerTrigger *trigge
                              double slow, GError **error)
 {
     TinkerIslandRun *run = self->run;
+    /* what the trigger's contact did before is nothing to groups that are asked along with its own */
+    const gboolean own = trigger->kind <= TINKER_TRIGGER_BLOW || self->together[trigger->body] == group;
     double extent;
     TinkerContactChange change = {
         .run = self,
@@ -261,7 +263,8 @@ static gboolean change_group(TinkerContactRun *self, const TinkerTrigger *trigge
         .acceleration = self->force,
         .trigger = *trigger,
         .jams = self->jams,
-        .rattles = tinker_contact_run_strikes_by_turns(self, trigger),
+        .rattles = own && tinker_contact_run_strikes_by_turns(self, trigger),
+        .turns = own && tinker_contact_run_goes_by_turns(self, trigger),
         .group = group,
         .touches = g_array_new(FALSE, TRUE, sizeof(TinkerTouch)),
         .told = g_array_new(FALSE, FALSE, sizeof(TinkerToldEvent)),

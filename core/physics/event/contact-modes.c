@@ -222,7 +222,7 @@ static TinkerContactResult ask_modes(TinkerContactChange *change, TinkerContactL
     TinkerClosedContacts closed = {
         (int32_t)laws->count,       laws->delassus, laws->pairs, laws->sliding, laws->first, laws->second,
         TINKER_FORCE_NOISE * scale, laws->motion,   laws->bearer};
-    if (tinker_contact_run_goes_by_turns(change->run, &change->trigger)) ask_slow(change, laws);
+    if (change->turns) ask_slow(change, laws);
     TinkerContactResult result = TINKER_CONTACT_NO_ACCELERATION;
     if (!change->jams) result = solve_limits(change, &closed, laws);
     if (!change->jams && result == TINKER_CONTACT_NO_ACCELERATION && ask_slow(change, laws))
@@ -248,7 +248,7 @@ static gboolean lets_go(const TinkerContactChange *change, const TinkerTouch *at
     const TinkerTriggerKind kind = change->trigger.kind;
     const gboolean limit = kind == TINKER_TRIGGER_FORWARD || kind == TINKER_TRIGGER_BACKWARD;
     if (!tinker_change_is_trigger(change, at) || force > TINKER_LET_GO * noise) return FALSE;
-    return kind == TINKER_TRIGGER_NORMAL || (limit && tinker_contact_run_goes_by_turns(change->run, &change->trigger));
+    return kind == TINKER_TRIGGER_NORMAL || (limit && change->turns);
 }
 
 static void note_modes(TinkerContactChange *change, const TinkerContactLaws *laws, double scale)

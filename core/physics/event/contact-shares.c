@@ -179,9 +179,8 @@ static gboolean share_where_it_turns(TinkerContactChange *change)
 gboolean tinker_change_share_load(TinkerContactChange *change)
 {
     if (try_share(change, share_evenly)) return TRUE;
-    const gboolean turns = tinker_contact_run_goes_by_turns(change->run, &change->trigger);
-    if ((turns || tinker_change_repeats(change)) && share_within(change)) return TRUE;
-    if (turns && change->trigger.row < 0 && share_where_it_turns(change)) return TRUE;
+    if ((change->turns || tinker_change_repeats(change)) && share_within(change)) return TRUE;
+    if (change->turns && change->trigger.row < 0 && share_where_it_turns(change)) return TRUE;
     try_share(change, share_by_load);
     return FALSE;
 }

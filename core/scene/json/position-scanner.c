@@ -92,31 +92,30 @@ static gboolean fail_expected(Scanner *s, const char *expected)
                 from);
 }
 
-/* How many digits stand before a place. */
-static gsize digits_before(const Scanner *s, gsize at)
+/* How many characters of a number stand before a place. */
+static gsize number_before(const Scanner *s, gsize at)
 {
     gsize count = 0;
-    while (count < at && g_ascii_isdigit(s->text[at - count - 1]))
+    while (count < at && (g_ascii_isdigit(s->text[at - count - 1]) || strchr("+-.eE", s->text[at - count - 1]) != NULL))
         count++;
     return count;
 }
 
-/* Whether it is behind the comma of "1,5", where a key should be. */
-static gboolean is_behind_decimal_comma(const Scanner *s)
+/* A number with a decimal comma, "1,5", where a key is expected behind the comma; 0: it is none. */
+static gsize decimal_comma(const Scanner *s)
 {
-    return s->at > 1 && g_ascii_isdigit(s->text[s->at]) && s->text[s->at - 1] == ',' && digits_before(s, s->at - 1) > 0;
+    if (s->at < 2 || !g_ascii_isdigit(s->text[s->at]) || s->text[s->at - 1] != ',') return 0;
+    return number_before(s, s->at - 1);
 }
 
 static gboolean fail_key(Scanner *s)
 {
     const char *expected = _("a key in double quotes");
-    gsize word = word_length(s);
-    if (word > 0 && is_behind_decimal_comma(s)) {
-        const gsize whole = digits_before(s, s->at - 1);
+    const gsize word = word_length(s), whole = word > 0 ? decimal_comma(s) : 0;
+    if (whole > 0)
         return fail(s, s->at - 1,
-                    _("not JSON: decimals stand behind a point, not a comma; did you mean \"%.*s.%.*s\"?"), (int)whole,
-                    s->text + s->at - 1 - whole, (int)word, s->text + s->at);
-    }
+                    _("not JSON: decimals are written with a point, not a comma (\"%.*s,%.*s\" is no number)"),
+                    (int)whole, s->text + s->at - 1 - whole, (int)word, s->text + s->at);
     if (word == 0) return fail_expected(s, expected);
     return fail(s, s->at, _("not JSON: %s was expected, found %.*s without quotes"), expected, (int)word,
                 s->text + s->at);
