@@ -1,7 +1,6 @@
 /* tinker books and the numbers of tinker diagram: against closed forms of a throw, a bounce and a pendulum. */
 #include <cjson/cJSON.h>
 #include <math.h>
-#include <string.h>
 
 #include "fixture.h"
 

@@ -72,6 +72,24 @@ static void test_jump(void)
     physics_assert_near("rms", rms.value, 0.5, 1e-12);
 }
 
+/* What the curve between its samples may be off by is told: of a cosine, which few samples do not tell exactly, values
+ * are off by 1 mm in turns, which is their root mean square. */
+static void test_coarse(void)
+{
+    double curve_times[SAMPLES], curve_values[SAMPLES], when[SAMPLES - 1], what[SAMPLES - 1];
+    for (int i = 0; i < SAMPLES; i++)
+        curve_values[i] = cos(curve_times[i] = 0.3 * i);
+    for (int i = 0; i < SAMPLES - 1; i++)
+        what[i] = cos(when[i] = 0.3 * i + 0.15) + (i % 2 == 0 ? 1e-3 : -1e-3);
+    const TinkerCurveSamples curve = {curve_times, curve_values, SAMPLES}, beside = {when, what, SAMPLES - 1};
+    TinkerStatistic rms;
+    gsize count;
+    g_assert_true(tinker_residuals(&curve, &beside, 0, 9, 0, &rms, &count));
+    g_assert_cmpfloat(fabs(rms.value - 1e-3), >, 1e-9);
+    g_assert_cmpfloat(fabs(rms.value - 1e-3), <=, rms.error);
+    g_assert_cmpfloat(rms.error, <, 0.1);
+}
+
 static void test_none(void)
 {
     TinkerCurveSamples curve = parabola();
@@ -89,6 +107,7 @@ int main(int argc, char **argv)
     g_test_add_func("/measure/residuals/by-hand", test_by_hand);
     g_test_add_func("/measure/residuals/band", test_band);
     g_test_add_func("/measure/residuals/jump", test_jump);
+    g_test_add_func("/measure/residuals/coarse", test_coarse);
     g_test_add_func("/measure/residuals/none", test_none);
     return g_test_run();
 }

@@ -2,7 +2,6 @@
  * is asked for at every evaluation. */
 #include <glib/gi18n-lib.h>
 #include <math.h>
-#include <string.h>
 
 #include "physics/compile/compile-lines.h"
 #include "physics/compile/compile-private.h"

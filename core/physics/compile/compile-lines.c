@@ -2,7 +2,6 @@
 #include <glib/gi18n-lib.h>
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "physics/compile/compile-lines.h"
 #include "plugin/call/guarded.h"

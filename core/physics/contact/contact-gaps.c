@@ -135,7 +135,7 @@ char *tinker_contacts_unmet(const TinkerModel *model)
 {
     if (tinker_model_meeting_bodies(model) < 2 || tinker_model_bodies_meet(model)) return NULL;
     return g_strdup_printf(
-        _("contact by events is worked out among at most %d bodies of a scene, of which a plate counts as %d: the "
+        _("contact by events is worked out among at most %d bodies of a scene (a plate counts as %d): the "
           "%d that could meet here pass through each other (with contacts as impulses they meet)"),
         MOST_SHAPES, OF_POINTS, count_meeting(model->scene, G_MAXINT32, 1));
 }

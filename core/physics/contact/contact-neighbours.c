@@ -147,5 +147,5 @@ void tinker_contact_neighbours_find_pairs(TinkerContactNeighbours *self, const d
     if (tinker_contact_neighbours_others(self, q_from) > travel &&
         tinker_contact_neighbours_others(self, q_to) > travel)
         return;
-    list_pairs(self, q_to, reach + longest_way(self->contacts, q_from, q_to));
+    list_pairs(self, q_to, fmax(reach, travel) + longest_way(self->contacts, q_from, q_to));
 }

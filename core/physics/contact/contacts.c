@@ -158,25 +158,28 @@ int32_t tinker_contacts_plate_of_part(TinkerContacts *contacts, const TinkerCont
     }
     if (plate->bearer >= 0) return contacts->plates[plate->bearer + later].resistance;
     int32_t pin = tinker_contacts_first_pin(contacts);
-    while (contacts->plates[pin].block != plate->block)
+    while (pin < tinker_contacts_plates(contacts) - 1 && contacts->plates[pin].block != plate->block)
         pin++;
     return pin;
 }
 
-/* Those that contacts write into: which books there are does not change in a run. */
+static void open_books_of(TinkerModel *model, const TinkerPlate *plate)
+{
+    if (plate->surface.dynamic_friction > 0) model->has_book[TINKER_BOOK_FRICTION] = TRUE;
+    if (plate->moving) model->has_book[TINKER_BOOK_SUPPORT_MOTION] = model->more_than_lines = TRUE;
+}
+
+/* Those that contacts write into: which books there are does not change in a run. Of gap functions their pairs tell. */
 static void open_books(TinkerContacts *contacts)
 {
     TinkerModel *model = contacts->model;
     for (int32_t i = 0; i < contacts->pair_count; i++)
         if (tinker_contact_pair_surface(contacts, &contacts->pairs[i]).dynamic_friction > 0)
             model->has_book[TINKER_BOOK_FRICTION] = TRUE;
-    for (int32_t k = 0; k < tinker_contacts_plates(contacts); k++) {
-        if (k == contacts->plate_count) k += contacts->gap_count; /* the pairs told of these */
-        if (k == tinker_contacts_plates(contacts)) break;
-        const TinkerPlate *plate = &contacts->plates[k];
-        if (plate->surface.dynamic_friction > 0) model->has_book[TINKER_BOOK_FRICTION] = TRUE;
-        if (plate->moving) model->has_book[TINKER_BOOK_SUPPORT_MOTION] = model->more_than_lines = TRUE;
-    }
+    for (int32_t k = 0; k < contacts->plate_count; k++)
+        open_books_of(model, &contacts->plates[k]);
+    for (int32_t k = contacts->plate_count + contacts->gap_count; k < tinker_contacts_plates(contacts); k++)
+        open_books_of(model, &contacts->plates[k]);
 }
 
 static TinkerImpactLaw law_of(TinkerScene *scene)

@@ -197,11 +197,11 @@ static TinkerStatus has_passed_another(TinkerContactRun *self, const TinkerTrigg
     list_behind(self, trigger, closed, behind);
     if (behind->len == 0) return TINKER_OK;
     status = tinker_contact_run_place_at(self, self->from.t, &v);
-    for (guint i = 0; status == TINKER_OK && i < behind->len && !*passed; i++) {
+    if (status != TINKER_OK) return status;
+    for (guint i = 0; i < behind->len && !*passed; i++) {
         const TinkerTrigger *gap = &g_array_index(self->triggers, TinkerTrigger, g_array_index(behind, guint, i));
         *passed = tinker_contact_run_is_before(self, gap, tinker_trigger_value(self, gap), closed);
     }
-    if (status != TINKER_OK) return status;
     return tinker_contact_run_place_at(self, self->run->state.t, &v);
 }
 

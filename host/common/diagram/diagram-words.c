@@ -1,7 +1,6 @@
 /* What a diagram says, and which of its arrows are to scale. */
 #include <glib/gi18n.h>
 #include <math.h>
-#include <string.h>
 
 #include "common/diagram/diagram-picture-private.h"
 #include "common/diagram/diagram-scale.h"

@@ -1,6 +1,6 @@
 /* Nothing that depends on the clock may be in the picture: animations are off, and the run is waited for to its end,
- * because the time line shows how far it has come. What is measured holds times of the
- * machine: that alone differs from picture to picture. */
+ * because the time line shows how far it has come. What is measured holds times of the machine: that alone differs from
+ * picture to picture. */
 #include "gui/app/screenshot.h"
 
 #include <glib/gi18n.h>

@@ -190,8 +190,8 @@ char *tinker_instrument_title(const TinkerScene *scene, const TinkerSceneInstrum
     const gboolean is_number = tinker_instrument_controls(instrument) &&
                                tinker_scene_find_owner(scene, instrument->block, &block) &&
                                tinker_scene_find_number(scene, block, instrument->of, &number);
-    g_autofree char *words = is_number ? tinker_property_words(number.type, g_str_has_suffix(instrument->of, ".y"))
-                                       : g_strdup(tinker_translate(title));
+    g_autofree char *words =
+        is_number ? tinker_property_words(number.type, number.component) : g_strdup(tinker_translate(title));
     const gboolean of_scene = g_str_equal(instrument->block, "Scene");
     return g_strdup_printf("%s: %s", of_scene ? _("Scene") : instrument->block, words);
 }

@@ -101,11 +101,12 @@ char *tinker_measuring_text(const TinkerMeasuring *measuring, const TinkerFrame 
 const char *tinker_measuring_why_not_kept(const TinkerMeasuring *measuring, TinkerScene *scene)
 {
     static const char *const off[][3] = {
-        [TINKER_RULER] = {N_("Its first end is on no body or support: a block needs both ends there"),
-                          N_("Its second end is on no body or support: a block needs both ends there")},
-        [TINKER_PROTRACTOR] = {N_("Its corner is on no body or support: a block needs all three places there"),
-                               N_("Its first leg ends on no body or support: a block needs all three places there"),
-                               N_("Its second leg ends on no body or support: a block needs all three places there")}};
+        [TINKER_RULER] = {N_("Its first end is not on a body or support, where both ends of a block have to be"),
+                          N_("Its second end is not on a body or support, where both ends of a block have to be")},
+        [TINKER_PROTRACTOR] = {
+            N_("Its corner is not on a body or support, where all places of a block have to be"),
+            N_("Its first leg does not end on a body or support, where all places of a block have to be"),
+            N_("Its second leg does not end on a body or support, where all places of a block have to be")}};
     if (measuring->count < tinker_measuring_whole(measuring->kind)) return _("Nothing is measured yet");
     for (int i = 0; i < measuring->count; i++)
         if (measuring->ends[i].block == TINKER_NO_BLOCK || !tinker_scene_has_block(scene, measuring->ends[i].block))

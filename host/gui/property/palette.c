@@ -75,8 +75,10 @@ static guint rank_of(const char *category)
 
 static void on_clicked(Item *item)
 {
-    if (!item->dragged) tinker_canvas_add(item->palette->canvas, item->block_class);
-    item->palette->last = item->button;
+    if (!item->dragged) {
+        tinker_canvas_add(item->palette->canvas, item->block_class);
+        item->palette->last = item->button;
+    }
     item->dragged = FALSE;
     gtk_widget_grab_focus(GTK_WIDGET(item->palette->canvas));
 }
@@ -95,8 +97,10 @@ static void on_drag(GtkGestureDrag *gesture, double dx, double dy, Item *item)
 static void on_drag_end(GtkGestureDrag *gesture, double dx, double dy, Item *item)
 {
     if (!item->dragged) return;
-    if (tinker_canvas_place_drop(item->palette->canvas) != TINKER_NO_BLOCK)
+    if (tinker_canvas_place_drop(item->palette->canvas) != TINKER_NO_BLOCK) {
+        item->palette->last = item->button;
         gtk_widget_grab_focus(GTK_WIDGET(item->palette->canvas));
+    }
     /* The button that the drag began on reads the release as a click, which on_clicked passes over; unless it was left.
      */
     double x = 0, y = 0;

@@ -73,8 +73,10 @@ gboolean tinker_component_needs_title(const TinkerPropertyType *type, int32_t co
 
 char *tinker_property_words(const TinkerPropertyType *type, int32_t component)
 {
-    const char *label = type->kind == TINKER_KIND_VECTOR ? type->component_titles[component] : NULL;
-    if (label == NULL) return g_strdup(tinker_translate(type->title));
+    const gboolean is_vector = type->kind == TINKER_KIND_VECTOR;
+    const char *label = is_vector ? type->component_titles[component] : NULL;
+    if (label == NULL)
+        return g_strconcat(tinker_translate(type->title), !is_vector ? "" : component == 0 ? " x" : " y", NULL);
     if (holds(label, type->title)) return g_strdup(tinker_translate(label));
     /* of the origin itself, not of the offset that its heading is of */
     const gboolean by_title =

@@ -49,7 +49,7 @@ def test_ruler_off_bodies_says_why_it_is_not_kept(display):
         button = app.find("button", "Keep as Dimension")
         check_equal(button.description, "Nothing is measured yet", "before anything is measured")
         app.drag((1.45, -2.03), (3, 2))
-        wait(lambda: "second end is on no body" in button.refreshed().description, "the reason")
+        wait(lambda: "second end is not on a body" in button.refreshed().description, "the reason")
         app.drag((3, 2), (1.45, -2.03))
         wait(lambda: "first end is on no body" in button.refreshed().description, "the reason of the other way")
 
