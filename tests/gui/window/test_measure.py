@@ -51,7 +51,7 @@ def test_ruler_off_bodies_says_why_it_is_not_kept(display):
         app.drag((1.45, -2.03), (3, 2))
         wait(lambda: "second end is not on a body" in button.refreshed().description, "the reason")
         app.drag((3, 2), (1.45, -2.03))
-        wait(lambda: "first end is on no body" in button.refreshed().description, "the reason of the other way")
+        wait(lambda: "first end is not on a body" in button.refreshed().description, "the reason of the other way")
 
 
 def test_protractor_by_drag_and_click(display):
