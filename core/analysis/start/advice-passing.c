@@ -10,12 +10,19 @@
 /* So steeply, as a sine, a fall meets a top that it is told of. */
 #define STEEP 0.5
 
-/* The direction in which fields pull a body at the start; FALSE where none does, or the scene cannot run. */
-static gboolean find_pull(TinkerScene *scene, TinkerBlockId body, double pull[2])
+/* All forces at the start, worked out for the first body that asks: none where the scene cannot run. Borrowed. */
+static const GArray *forces_at_start(TinkerScene *scene, GArray **forces)
 {
-    g_autoptr(GArray) forces = tinker_acting_forces_array();
+    if (*forces != NULL) return *forces;
+    *forces = tinker_acting_forces_array();
+    if (!tinker_acting_forces_at_start(scene, *forces, NULL)) g_array_set_size(*forces, 0);
+    return *forces;
+}
+
+/* The direction in which fields pull a body at the start; FALSE where none does. */
+static gboolean find_pull(const GArray *forces, TinkerBlockId body, double pull[2])
+{
     pull[0] = pull[1] = 0;
-    if (!tinker_acting_forces_at_start(scene, forces, NULL)) return FALSE;
     for (guint i = 0; i < forces->len; i++) {
         const TinkerActingForce *force = &g_array_index(forces, TinkerActingForce, i);
         if (force->kind != TINKER_ACTING_FIELD || force->on != body) continue;
@@ -52,7 +59,7 @@ static double way_to(const TinkerTop *top, const double place[2], const double p
 }
 
 /* The solid top that a body lies at, or the first of those that it falls onto. */
-static TinkerBlockId passed_top(const TinkerFrame *frame, TinkerBlockId body)
+static TinkerBlockId passed_top(const TinkerFrame *frame, TinkerBlockId body, GArray **forces)
 {
     TinkerScene *scene = tinker_frame_scene(frame);
     const TinkerTop nearest = tinker_top_nearest(frame, body);
@@ -60,7 +67,7 @@ static TinkerBlockId passed_top(const TinkerFrame *frame, TinkerBlockId body)
     if (nearest.plate != TINKER_NO_BLOCK && tinker_top_touches(frame, &nearest, body)) return nearest.plate;
     TinkerBlockId found = TINKER_NO_BLOCK;
     double centre[2], angle, pull[2], least = INFINITY;
-    if (is_held(scene, body, FALSE) || !find_pull(scene, body, pull)) return TINKER_NO_BLOCK;
+    if (is_held(scene, body, FALSE) || !find_pull(forces_at_start(scene, forces), body, pull)) return TINKER_NO_BLOCK;
     tinker_frame_centre(frame, body, &centre[0], &centre[1], &angle);
     for (int32_t i = 0; i < tinker_scene_block_count(scene); i++) {
         const TinkerBlockId plate = tinker_scene_block_at(scene, i);
@@ -79,13 +86,14 @@ static TinkerBlockId passed_top(const TinkerFrame *frame, TinkerBlockId body)
 void advice_on_passing(GPtrArray *all, const TinkerFrame *frame)
 {
     TinkerScene *scene = tinker_frame_scene(frame);
+    g_autoptr(GArray) forces = NULL;
     for (int32_t i = 0; i < tinker_scene_block_count(scene); i++) {
         const TinkerBlockId body = tinker_scene_block_at(scene, i);
         const TinkerBlockClass *block_class = tinker_scene_block_class(scene, body);
         if (block_class == NULL || !tinker_block_class_turns(block_class) ||
             tinker_frame_meaning(frame, body, TINKER_MEANING_SOLID, 0, 1) != 0)
             continue;
-        const TinkerBlockId plate = passed_top(frame, body);
+        const TinkerBlockId plate = passed_top(frame, body, &forces);
         if (plate == TINKER_NO_BLOCK) continue;
         TinkerAdvice *advice =
             advice_add(all, TINKER_ADVICE_PASSING, FALSE,
