@@ -285,9 +285,12 @@ gboolean tinker_compiled_has_row(const TinkerCompiled *compiled, int count)
 }
 
 /* A call of the C library would take longer than these loops. */
-KEEP_LOOPS static void copy_few(const double *column, int count, double *results)
+static inline void copy_few(const double *restrict column, int count, double *restrict results)
 {
-    for (int i = 0; i < count; i++)
+    int i = 0;
+    for (; i + PART <= count; i += PART)
+        *(Part *)(results + i) = *(const Part *)(column + i);
+    for (; i < count; i++)
         results[i] = column[i];
 }
 
