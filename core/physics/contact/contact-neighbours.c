@@ -110,7 +110,7 @@ static double longest_way(const TinkerContacts *contacts, const double *from, co
     return sqrt(most);
 }
 
-double tinker_contact_neighbours_others(const TinkerContactNeighbours *self, const double *q)
+double tinker_contact_neighbours_unlisted_distance(const TinkerContactNeighbours *self, const double *q)
 {
     return self->margin - longest_way(self->contacts, self->placed, q);
 }
@@ -144,8 +144,8 @@ static void list_pairs(TinkerContactNeighbours *self, const double *q, double ma
 void tinker_contact_neighbours_find_pairs(TinkerContactNeighbours *self, const double *q_from, const double *q_to,
                                           double travel, double reach)
 {
-    if (tinker_contact_neighbours_others(self, q_from) > travel &&
-        tinker_contact_neighbours_others(self, q_to) > travel)
+    if (tinker_contact_neighbours_unlisted_distance(self, q_from) > travel &&
+        tinker_contact_neighbours_unlisted_distance(self, q_to) > travel)
         return;
     list_pairs(self, q_to, fmax(reach, travel) + longest_way(self->contacts, q_from, q_to));
 }

@@ -59,6 +59,6 @@ gboolean tinker_contact_pair_is_apart(const TinkerContacts *contacts, const Tink
 void tinker_contact_neighbours_find_pairs(TinkerContactNeighbours *self, const double *q_from, const double *q_to,
                                           double travel, double reach);
 /* How far (m) pairs that are not listed are apart at least. */
-double tinker_contact_neighbours_others(const TinkerContactNeighbours *self, const double *q);
+double tinker_contact_neighbours_unlisted_distance(const TinkerContactNeighbours *self, const double *q);
 
 #endif

@@ -157,7 +157,7 @@ void tinker_contact_run_note_quiet(TinkerContactRun *self, const double *x, cons
     double nearest = INFINITY;
     for (guint i = 0; i < self->neighbours.pairs->len; i++)
         nearest = fmin(nearest, tinker_contact_pair_distance(contacts, near_pair(self, i), q));
-    if (nearest > tinker_contact_neighbours_others(&self->neighbours, q))
+    if (nearest > tinker_contact_neighbours_unlisted_distance(&self->neighbours, q))
         for (int32_t i = 0; i < contacts->pair_count; i++)
             nearest = fmin(nearest, tinker_contact_pair_distance(contacts, &contacts->pairs[i], q));
     for (int32_t i = 0; i < self->model->bodies; i++) {
