@@ -179,6 +179,39 @@ static void test_on_each_other(void)
     g_assert_cmpfloat(physics_last(run, 0), ==, physics_last(run, 1));
 }
 
+/* Beside masses on tops that turn, which are stepped by themselves, two discs do what they do alone: what resists them
+ * turns them the less by rho g R / (R^2 + I / m) / R, and rubs with m times what they slow down by. */
+static void test_beside_others(void)
+{
+    const double r[] = {0.5, 0.25}, rho[] = {0.05, 0.02}, v = 2, t = 0.5;
+    const double at[] = {0, t};
+    PhysicsOptions options = {.duration = t,
+                              .columns = "Disc 0.angular acceleration, Disc 0.friction force, Disc 0.angular velocity,"
+                                         "Disc 1.angular acceleration, Disc 1.friction force, Disc 1.angular velocity,"
+                                         "Mass 0.normal force",
+                              .at = at,
+                              .at_count = 2};
+    g_autoptr(PhysicsRun) run = physics_run(
+        &options, CONTACT_WEIGHT "{'type': 'support', 'name': 'Plank', 'position': [50, -0.2]},"
+                                 "{'type': 'support-turn', 'ends': ['Plank']},"
+                                 "{'type': 'mass', 'name': 'Mass 0', 'mass': 2, 'on': 'Plank'}," CONTACT_FLOOR
+                                 ", 'width': 60}, {'type': 'disc', 'name': 'Disc 0', 'radius': 0.5, 'mass': 3,"
+                                 " 'rolling_resistance': 0.05, 'position': [0, 0.5], 'velocity': [2, 0],"
+                                 " 'angular_velocity': -4}, {'type': 'disc', 'name': 'Disc 1', 'radius': 0.25,"
+                                 " 'rolling_resistance': 0.02, 'position': [-9, 0.25], 'velocity': [-2, 0],"
+                                 " 'angular_velocity': 8}");
+    for (gsize row = 0; row < 2; row++) {
+        for (gsize i = 0; i < 2; i++) {
+            const double a = rho[i] * g / (1.5 * r[i]), sign = i == 0 ? 1 : -1, mass = i == 0 ? 3 : 1;
+            const double rate = -sign * (v - a * at[row]) / r[i];
+            physics_assert_near("turns the less", physics_value(run, row, 3 * i), sign * a / r[i], 1e-9);
+            physics_assert_near("friction", physics_value(run, row, 3 * i + 1), -sign * mass * a, 1e-9);
+            physics_assert_near("rate", physics_value(run, row, 3 * i + 2), rate, 1e-9);
+        }
+        physics_assert_near("lies there", physics_value(run, row, 6), 2 * g, 1e-9);
+    }
+}
+
 /* As impulses it is refused by name, with what to do. */
 static void test_refused_as_impulses(void)
 {
@@ -216,6 +249,7 @@ static void add_tests(void)
     g_test_add_func("/rolling/lands-spinning", test_lands_spinning);
     g_test_add_func("/rolling/on-each-other", test_on_each_other);
     g_test_add_func("/rolling/heap", test_heap);
+    g_test_add_func("/rolling/beside-others", test_beside_others);
     g_test_add_func("/rolling/refused-as-impulses", test_refused_as_impulses);
 }
 
