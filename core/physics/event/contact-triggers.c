@@ -322,8 +322,9 @@ static double acceleration_scale(const TinkerContactRun *self, const TinkerTrigg
     double scale = 0;
     if (tinker_contact_run_repeats(self))
         scale = acts_on(self, trigger->body) + acts_on(self, other_point(self, trigger));
-    if (trigger->row < 0) {
-        const double *base = self->model->point_acceleration + 2 * self->contacts->plates[trigger->plate].point;
+    const int32_t plate_point = trigger->row < 0 ? self->contacts->plates[trigger->plate].point : -1;
+    if (plate_point >= self->model->bodies) { /* of bodies only samples keep accelerations there */
+        const double *base = self->model->point_acceleration + 2 * plate_point;
         scale += fabs(base[0]) + fabs(base[1]);
     }
     return scale + fabs(self->model->constant_acceleration[k]) + fabs(self->model->constant_acceleration[k + 1]) +
