@@ -46,10 +46,36 @@ static void test_pyramid(void)
     g_assert_cmpfloat(run->summary->books[TINKER_BOOK_FRICTION], <=, 0);
 }
 
+/* A light box between a heavy one and a wall: both come to rest at the wall by infinitely many blows within a finite
+ * time. They lie on the floor all the while, so that nothing leaves an end; that the end of the floor, far away, is in
+ * line with their lower edges does not make it touch them. */
+static void test_rattles_to_rest(void)
+{
+    PhysicsOptions options = {
+        .method = "dop853", .tolerance = 1e-9, .duration = 5, .columns = "Heavy.x, Heavy.y, Heavy.angle, Light.x"};
+    g_autoptr(PhysicsRun) run =
+        physics_run(&options, CONTACT_WEIGHT
+                    "{'type': 'support', 'position': [0, -0.1], 'width': 20, 'height': 0.2, 'static_friction': 0,"
+                    " 'dynamic_friction': 0, 'restitution': 0}, {'type': 'support', 'position': [3, 3], 'width': 8,"
+                    " 'height': 0.2, 'orientation': 1.5707963267948966, 'static_friction': 0, 'dynamic_friction': 0,"
+                    " 'restitution': 0.5}, {'type': 'box', 'name': 'Heavy', 'mass': 100, 'width': 1, 'height': 1,"
+                    " 'position': [0, 0.5], 'velocity': [1, 0], 'static_friction': 0, 'dynamic_friction': 0,"
+                    " 'restitution': 0.5}, {'type': 'box', 'name': 'Light', 'mass': 0.1, 'width': 0.5, 'height': 1,"
+                    " 'position': [2, 0.5], 'static_friction': 0, 'dynamic_friction': 0, 'restitution': 0.5}");
+    contact_assert_count(run, "end", 0);
+    contact_assert_count(run, "take-off", 0);
+    physics_assert_near("heavy", physics_last(run, 0), 2.9 - 0.5 - 0.5, 1e-9);
+    physics_assert_near("lies", physics_last(run, 1), 0.5, 1e-9);
+    physics_assert_near("level", physics_last(run, 2), 0, 1e-9);
+    physics_assert_near("light", physics_last(run, 3), 2.9 - 0.25, 1e-9);
+    contact_assert_taken(run, 0, 50, 1e-9);
+}
+
 static void add_tests(void)
 {
     g_test_add_func("/contact-wedged/grows-beyond-bounds", test_grows_beyond_bounds);
     g_test_add_func("/contact-wedged/pyramid", test_pyramid);
+    g_test_add_func("/contact-wedged/rattles-to-rest", test_rattles_to_rest);
 }
 
 int main(int argc, char **argv)

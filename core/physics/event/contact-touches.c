@@ -183,12 +183,12 @@ static void take_open(TinkerContactChange *change, double tolerance)
         taken.place = place_of(change, &taken);
         gboolean guided = tinker_contacts_is_guided(self->contacts, pair->body, pair->plate);
         double near = guided ? fmax(tolerance, 2 * TINKER_TOUCHING) : tolerance;
-        gboolean closed = is_closed(change, &taken, near) &&
-                          tinker_contact_is_over(self->contacts, pair->plate, &taken.place, tolerance);
-        const gboolean meets = closed || meets_now(change, &taken);
+        const gboolean at = fabs(taken.place.gap) <= near &&
+                            tinker_contact_is_over(self->contacts, pair->plate, &taken.place, tolerance);
+        const gboolean meets = (at && is_closed(change, &taken, near)) || meets_now(change, &taken);
         /* what it was thrown away from within no time; take_leaving() takes what is watched as leaving */
-        taken.leaves =
-            change->rattles && !meets && fabs(taken.place.gap) <= tolerance && !tinker_contact_run_leaves(self, pair);
+        taken.leaves = change->rattles && at && !meets && fabs(taken.place.gap) <= tolerance &&
+                       !tinker_contact_run_leaves(self, pair);
         if (meets || taken.leaves) add_touch(change, &taken);
     }
 }
