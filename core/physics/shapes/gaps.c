@@ -118,7 +118,7 @@ static void add_edges(List *list, const TinkerOutline *tips, const TinkerOutline
         TinkerGapFunction function = {.tip_of = tip_of, .rolls = disc, .tip_radius = disc ? tips->radius : 0};
         if (!disc && is_inner(tips, i)) continue;
         if (!disc) set(function.tip, tips->corners + 2 * i);
-        if (tips->kind == TINKER_OUTLINE_POLYGON && tips->count > 1) take_sides(&function, tips, i);
+        if (!disc && tips->count > 1) take_sides(&function, tips, i);
         if (tips->kind == TINKER_OUTLINE_TOP) edge_normal(tips, 0, function.above);
         for (int32_t k = 0; k < edges_of(seats); k++) {
             seat_edge(&function, seats, k);
@@ -340,5 +340,5 @@ gboolean tinker_gap_is_over(const TinkerGapFunction *function, const TinkerBodyP
     }
     if (function->above[0] == 0 && function->above[1] == 0) return TRUE;
     turn(tip, function->above, above);
-    return dot(gap->normal, above) < 0;
+    return dot(gap->normal, above) < -TINKER_NOT_INTO;
 }
