@@ -33,8 +33,7 @@ typedef struct {
     double left[MOST * MOST], right[MOST * MOST], matrix[MOST * MOST]; /* matrix = left diag(values) right^T */
 } Case;
 
-/* Singular values of 1, but the last two. */
-static void make_case(Case *of, GRand *dice, int32_t n, double last_but_one, double last)
+static void make_case_of(Case *of, GRand *dice, int32_t n, const double *values)
 {
     of->n = n;
     make_rotation(dice, n, of->left);
@@ -42,12 +41,19 @@ static void make_case(Case *of, GRand *dice, int32_t n, double last_but_one, dou
     for (int32_t i = 0; i < n; i++)
         for (int32_t j = 0; j < n; j++) {
             double sum = 0;
-            for (int32_t k = 0; k < n; k++) {
-                const double value = k == n - 1 ? last : k == n - 2 ? last_but_one : 1;
-                sum += of->left[i * n + k] * value * of->right[j * n + k];
-            }
+            for (int32_t k = 0; k < n; k++)
+                sum += of->left[i * n + k] * values[k] * of->right[j * n + k];
             of->matrix[i * n + j] = sum;
         }
+}
+
+/* Singular values of 1, but the last two. */
+static void make_case(Case *of, GRand *dice, int32_t n, double last_but_one, double last)
+{
+    double values[MOST];
+    for (int32_t k = 0; k < n; k++)
+        values[k] = k == n - 1 ? last : k == n - 2 ? last_but_one : 1;
+    make_case_of(of, dice, n, values);
 }
 
 static void multiply(const Case *of, const double *x, double *b)
@@ -112,6 +118,46 @@ static void test_rank(void)
         }
 }
 
+/* x of least norm: sum of right_k (left_k . b) / value_k, over the values that are not 0, whatever b contradicts. */
+static void check_least_norm(TinkerDenseSolve *solve, const Case *of, const double *values, GRand *dice)
+{
+    double b[MOST], x[MOST], truth[MOST] = {0};
+    const int32_t n = of->n;
+    for (int32_t i = 0; i < n; i++)
+        x[i] = b[i] = g_rand_double_range(dice, -1, 1);
+    for (int32_t k = 0; k < n; k++) {
+        double along = 0;
+        for (int32_t i = 0; i < n; i++)
+            along += of->left[i * n + k] * b[i];
+        for (int32_t i = 0; values[k] > 0 && i < n; i++)
+            truth[i] += of->right[i * n + k] * along / values[k];
+    }
+    g_assert_false(tinker_dense_solve_factor(solve, of->matrix));
+    tinker_dense_solve(solve, x);
+    for (int32_t i = 0; i < n; i++)
+        g_assert_cmpfloat_with_epsilon(x[i], truth[i], 1e-9);
+}
+
+/* Of any rank, by turns with others: what is kept of one matrix is not taken for another's. */
+static void test_least_norm(void)
+{
+    g_autoptr(GRand) dice = g_rand_new_with_seed(2);
+    for (int32_t n = 2; n <= MOST; n++) {
+        TinkerDenseSolve *solve = tinker_dense_solve_new(n);
+        double values[2][MOST] = {{0}, {0}};
+        Case of[2];
+        for (int k = 0; k < 2; k++) {
+            const int32_t rank = g_rand_int_range(dice, 0, n);
+            for (int32_t i = 0; i < rank; i++)
+                values[k][i] = exp(g_rand_double_range(dice, -6, 0));
+            make_case_of(&of[k], dice, n, values[k]);
+        }
+        for (int times = 0; times < 8; times++)
+            check_least_norm(solve, &of[times / 3 % 2], values[times / 3 % 2], dice);
+        tinker_dense_solve_free(solve);
+    }
+}
+
 /* Pivots by rows: 1e-5 and 1e-9. Its singular values are 1.4 and 7e-15: the first unknown is next to nothing. */
 static void test_small_pivots(void)
 {
@@ -129,6 +175,7 @@ int main(int argc, char **argv)
 {
     g_test_init(&argc, &argv, NULL);
     g_test_add_func("/numerics/dense-solve/rank", test_rank);
+    g_test_add_func("/numerics/dense-solve/least-norm", test_least_norm);
     g_test_add_func("/numerics/dense-solve/small-pivots", test_small_pivots);
     return g_test_run();
 }

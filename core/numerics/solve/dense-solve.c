@@ -1,4 +1,4 @@
-/* Elimination with row pivoting; xGELSY behind it. Pivots by rows alone may be far larger than the least singular
+/* Elimination with row pivoting; least norms behind it. Pivots by rows alone may be far larger than the least singular
  * value: where one is small, complete pivoting tells the rank. */
 #include "numerics/solve/dense-solve.h"
 
@@ -6,7 +6,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "numerics/solve/lapack.h"
+#include "numerics/solve/least-norm.h"
 #include "numerics/solve/pivoted-solve.h"
 #include "numerics/solve/rank.h"
 
@@ -17,10 +17,12 @@
 
 struct TinkerDenseSolve {
     int32_t n;
-    gboolean full; /* rank, of the matrix taken last */
+    gboolean taken; /* a matrix was */
+    gboolean full;  /* rank, of the matrix taken last */
+    int32_t rank;   /* of one that is not full, once it is factored for least norms; else -1 */
     double dependent;
-    double *matrix; /* by rows; or its factors */
-    double *given;  /* of a singular one: by columns */
+    double *matrix; /* its factors: by rows; for least norms by columns */
+    double *given;  /* by columns */
     double *trial;  /* of one with a small pivot, for its rank */
     double *work;
     int32_t *pivots;
@@ -58,6 +60,7 @@ void tinker_dense_solve_free(TinkerDenseSolve *solve)
 void tinker_dense_solve_set_dependent(TinkerDenseSolve *solve, double dependent)
 {
     solve->dependent = dependent;
+    solve->taken = FALSE; /* by this its rank may be another */
 }
 
 static void exchange_rows(double *a, int32_t n, int32_t i, int32_t k)
@@ -86,15 +89,28 @@ static gboolean has_full_rank(TinkerDenseSolve *solve, const double *matrix)
     return tinker_pivoted_solve(n, solve->trial, solve->work, solve->order, solve->dependent) == n;
 }
 
+/* Whether it is the matrix taken last, to the bit: what rests asks for the same again and again. */
+static gboolean is_given(const TinkerDenseSolve *solve, const double *matrix)
+{
+    const int32_t n = solve->n;
+    for (int32_t i = 0; solve->taken && i < n; i++)
+        for (int32_t j = 0; j < n; j++)
+            if (!(solve->given[j * n + i] == matrix[i * n + j])) return FALSE;
+    return solve->taken;
+}
+
 int tinker_dense_solve_factor(TinkerDenseSolve *solve, const double *matrix)
 {
     int32_t n = solve->n;
+    if (is_given(solve, matrix)) return solve->full;
     double *a = solve->matrix, greatest = greatest_entry(matrix, n * n), least = greatest;
     memcpy(a, matrix, (gsize)n * (gsize)n * sizeof(double));
     for (int32_t i = 0; i < n; i++)
         for (int32_t j = 0; j < n; j++)
             solve->given[j * n + i] = matrix[i * n + j];
+    solve->taken = TRUE;
     solve->full = FALSE;
+    solve->rank = -1;
     for (int32_t k = 0; k < n; k++) {
         int32_t pivot = k;
         for (int32_t i = k + 1; i < n; i++)
@@ -143,10 +159,12 @@ void tinker_dense_solve(TinkerDenseSolve *solve, double *b)
         substitute(solve, b);
         return;
     }
-    const gsize n = (gsize)solve->n;
-    memcpy(solve->matrix, solve->given, n * n * sizeof(double));
-    if (!tinker_least_norm(solve->n, solve->matrix, b, solve->dependent, solve->order, solve->work))
-        memset(b, 0, n * sizeof(double));
+    const int32_t n = solve->n;
+    if (solve->rank < 0) {
+        memcpy(solve->matrix, solve->given, (gsize)n * (gsize)n * sizeof(double));
+        solve->rank = tinker_least_norm_factor(n, solve->matrix, solve->dependent, solve->order, solve->work);
+    }
+    tinker_least_norm_solve(n, solve->rank, solve->matrix, solve->order, solve->work, b);
 }
 
 void tinker_dense_solve_near(TinkerDenseSolve *solve, const double *near, double *b)

@@ -16,14 +16,15 @@ void tinker_dense_solve_free(TinkerDenseSolve *solve);
  * than 0; before, TINKER_DEPENDENT (rank.h). */
 void tinker_dense_solve_set_dependent(TinkerDenseSolve *solve, double dependent);
 
-/* Takes a matrix, n x n by rows. Answers 0 where its rank is not full. Allots nothing. */
+/* Takes a matrix, n x n by rows; of the one that it has already it keeps the factors. Answers 0 where its rank is not
+ * full. Allots nothing. */
 int tinker_dense_solve_factor(TinkerDenseSolve *solve, const double *matrix);
 
 /* Whether the rank of the matrix taken last was full; 0 before the first. */
 int tinker_dense_solve_is_full(const TinkerDenseSolve *solve);
 
-/* Solves for the matrix taken last, in place of b. Singular values that are dependent count as 0. Source:
- * LAPACK Users' Guide, xGELSY (Quintana-Orti, Sun, Bischof). Allots nothing. */
+/* Solves for the matrix taken last, in place of b. Singular values that are dependent count as 0 (least-norm.h). Allots
+ * nothing. */
 void tinker_dense_solve(TinkerDenseSolve *solve, double *b);
 
 /* Solves in place of b, nearest to `near` where the matrix is singular: its parts that nothing determines are those of

@@ -3,9 +3,6 @@
 #include <lapacke.h>
 #include <string.h>
 
-/* Room that xGELSY wants for its blocks. */
-#define BLOCK 64
-
 G_STATIC_ASSERT(sizeof(lapack_int) == sizeof(int32_t));
 
 /* Takes the place of LAPACKE's own, which tells on standard output, among what the program writes there, and goes on:
@@ -68,19 +65,6 @@ gboolean tinker_pivoted_qr(int32_t n, int32_t columns, double *matrix, double *q
         pivot[column]--;
     memcpy(q, matrix, sizeof(double) * (gsize)n * (gsize)least);
     return LAPACKE_dorgqr(LAPACK_COL_MAJOR, n, n, least, q, n, tau) == 0;
-}
-
-int32_t tinker_least_norm_room(int32_t n)
-{
-    return 4 * n + BLOCK * (n + 2);
-}
-
-gboolean tinker_least_norm(int32_t n, double *matrix, double *b, double rank, int32_t *order, double *work)
-{
-    lapack_int found = 0;
-    memset(order, 0, (gsize)n * sizeof(int32_t));
-    return LAPACKE_dgelsy_work(LAPACK_COL_MAJOR, n, n, 1, matrix, n, b, n, order, rank, &found, work,
-                               tinker_least_norm_room(MAX(n, 1))) == 0;
 }
 
 gboolean tinker_solve_complex(int32_t n, double complex *matrix, double complex *b, int32_t *pivot)

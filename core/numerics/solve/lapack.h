@@ -32,12 +32,6 @@ gboolean tinker_hessenberg(int32_t n, double *matrix, double *q);
  * triangle of the matrix, Q (n by n) into `q`; `pivot` counts from 0. */
 gboolean tinker_pivoted_qr(int32_t n, int32_t columns, double *matrix, double *q, int32_t *pivot);
 
-/* Room for tinker_least_norm() of order n, as doubles. */
-int32_t tinker_least_norm_room(int32_t n);
-/* The x of least norm that minimises |A x - b|, in place of b; singular values below `rank` of the largest count as 0.
- * `order` is room for n. Allots nothing. */
-gboolean tinker_least_norm(int32_t n, double *matrix, double *b, double rank, int32_t *order, double *work);
-
 /* Solves a complex system of order n in place of b; `pivot` is room for n. */
 gboolean tinker_solve_complex(int32_t n, double complex *matrix, double complex *b, int32_t *pivot);
 
