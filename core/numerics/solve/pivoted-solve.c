@@ -9,18 +9,34 @@ static void swap(double *a, double *b)
     *b = kept;
 }
 
+/* The size of the largest, by four at a time that do not wait for one another; numbers that are none are passed over.
+ */
+static double largest_entry(int32_t count, const double *entries)
+{
+    double most[4] = {0, 0, 0, 0};
+    int32_t i = 0;
+    for (; i + 4 <= count; i += 4)
+        for (int lane = 0; lane < 4; lane++)
+            most[lane] = fabs(entries[i + lane]) > most[lane] ? fabs(entries[i + lane]) : most[lane];
+    for (; i < count; i++)
+        most[0] = fabs(entries[i]) > most[0] ? fabs(entries[i]) : most[0];
+    const double low = most[0] > most[1] ? most[0] : most[1], high = most[2] > most[3] ? most[2] : most[3];
+    return low > high ? low : high;
+}
+
 /* Brings the largest entry of what is left to place (k, k), and answers its size. */
 static double bring_pivot(int32_t n, double *matrix, double *b, int32_t *order, int32_t k)
 {
     int32_t row = k, column = k;
     double largest = 0;
-    for (int32_t i = k; i < n; i++)
-        for (int32_t j = k; j < n; j++)
-            if (fabs(matrix[i * n + j]) > largest) {
-                largest = fabs(matrix[i * n + j]);
-                row = i;
-                column = j;
-            }
+    for (int32_t i = k; i < n; i++) {
+        const double most = largest_entry(n - k, matrix + i * n + k);
+        if (!(most > largest)) continue;
+        largest = most;
+        row = i;
+    }
+    while (largest > 0 && fabs(matrix[row * n + column]) != largest)
+        column++;
     if (row != k) {
         for (int32_t j = k; j < n; j++)
             swap(&matrix[row * n + j], &matrix[k * n + j]);
