@@ -14,6 +14,8 @@
 #define MOST_PASSES   120
 /* Of the limit of sticking. */
 #define SHORT_OF_SLIPPING 0.99
+/* So many times the way is gone on along it, at most. */
+#define FARTHEST 100
 
 /* Whether it had no speed along before the laws were asked. */
 static gboolean begins_now(const TinkerContactChange *change, const TinkerContact *contact)
@@ -100,16 +102,64 @@ static gboolean try_share(TinkerContactChange *change, void (*share)(TinkerConta
     return FALSE;
 }
 
-/* Moves the share of one contact to where it presses by no less than `least` (N) and is a little short of slipping.
- * What resists rolling presses by what its contact does. */
-static void press(const TinkerContacts *contacts, TinkerContact *contact, double least)
+/* A share that lies within the limits ------------------------------------------------------------------------------ */
+
+/* Whether the share of this closed contact is moved. */
+static gboolean is_moved(const TinkerContactChange *change, const TinkerContact *contact)
 {
-    const double most = tinker_contact_surface(contacts, contact->body, contact->plate).static_friction;
-    const double normal = fmax(contact->normal, least);
-    if (!tinker_contacts_resists(contacts, contact)) contact->base_normal = normal;
-    if (contact->mode != TINKER_CONTACT_STICK) return;
-    const double bound = SHORT_OF_SLIPPING * most * normal;
-    contact->base_friction = CLAMP(contact->friction, -bound, bound);
+    return is_asked(change, contact) && !tinker_contacts_is_pin(change->contacts, contact);
+}
+
+/* What presses, and how it rubs, by the share that the laws gave. */
+static void press_as_given(TinkerContactChange *change)
+{
+    const TinkerContacts *contacts = change->contacts;
+    for (guint i = 0; i < contacts->closed->len; i++) {
+        TinkerContact *contact = tinker_contacts_closed(contacts, i);
+        if (!is_moved(change, contact)) continue;
+        contact->friction = contact->base_friction;
+        if (!tinker_contacts_resists(contacts, contact)) contact->normal = contact->base_normal;
+    }
+}
+
+/* The closed contact that leans on this one by resisting its rolling; NULL: none. */
+static TinkerContact *resisting(const TinkerContacts *contacts, guint number)
+{
+    for (guint i = 0; contacts->resistance_count > 0 && i < contacts->closed->len; i++)
+        if (tinker_contacts_closed(contacts, i)->bearer == (int32_t)number) return tinker_contacts_closed(contacts, i);
+    return NULL;
+}
+
+/* A friction that holds, and what it may be at most over the normal force: a little short of slipping. */
+static double hold(const TinkerContacts *contacts, const TinkerContact *contact)
+{
+    if (contact == NULL || contact->mode != TINKER_CONTACT_STICK) return 0;
+    return SHORT_OF_SLIPPING * tinker_contact_surface(contacts, contact->body, contact->plate).static_friction;
+}
+
+/* Moves the share of one contact, with what resists its rolling, to the nearest at which it presses by no less than
+ * `least` (N) and is a little short of slipping: with friction f_i of at most s_i N each, the distance from what there
+ * is has no slope in N where N - n = sum s_i (|f_i| - s_i N), over those that are beyond s_i N. */
+static void press(const TinkerContacts *contacts, guint number, double least)
+{
+    TinkerContact *contact = tinker_contacts_closed(contacts, number), *rolls = resisting(contacts, number);
+    const double slope[2] = {hold(contacts, contact), hold(contacts, rolls)};
+    const double rubs[2] = {contact->friction, rolls != NULL ? rolls->friction : 0};
+    double normal = contact->normal;
+    for (int beyond = 1; beyond < 4; beyond++) { /* which of the two are */
+        double sum = contact->normal, weights = 1;
+        for (int k = 0; k < 2; k++) {
+            if (!(beyond & (1 << k))) continue;
+            sum += slope[k] * fabs(rubs[k]);
+            weights += slope[k] * slope[k];
+        }
+        normal = fmax(normal, sum / weights); /* the slope is the least of these lines, which all rise */
+    }
+    contact->base_normal = fmax(normal, least);
+    if (contact->mode == TINKER_CONTACT_STICK)
+        contact->base_friction = CLAMP(rubs[0], -slope[0] * contact->base_normal, slope[0] * contact->base_normal);
+    if (rolls != NULL && rolls->mode == TINKER_CONTACT_STICK)
+        rolls->base_friction = CLAMP(rubs[1], -slope[1] * contact->base_normal, slope[1] * contact->base_normal);
 }
 
 /* Works the forces out, nearest to the shares; whether they keep the laws, and everything presses by half of `least`.
@@ -122,33 +172,66 @@ static gboolean presses_all(TinkerContactChange *change, double least)
     gboolean all = tinker_contact_run_look_at(change->run, state->t, state->q, state->v, NULL) == TINKER_OK;
     for (guint i = 0; all && i < contacts->closed->len; i++) {
         const TinkerContact *contact = tinker_contacts_closed(contacts, i);
-        if (!is_asked(change, contact) || tinker_contacts_is_pin(contacts, contact)) continue;
-        all = keeps_laws(change, contact) && contact->normal >= 0.5 * least;
+        if (is_moved(change, contact)) all = keeps_laws(change, contact) && contact->normal >= 0.5 * least;
     }
     return all;
 }
 
+/* The square of how far two sets of forces are apart, as the least norm has it. */
+static double apart(const TinkerContactChange *change, const TinkerContact *contact, double normal, double friction)
+{
+    const double own = tinker_contacts_resists(change->contacts, contact) ? 0 : normal * normal;
+    const double along = contact->mode == TINKER_CONTACT_STICK ? friction * friction : 0;
+    return (own + along) * change->model->inverse_mass[contact->body];
+}
+
+/* Goes on along the way from `before`, which does what the motion asks for, by the shares to the forces worked out,
+ * which do so, too: as far as the shares let it, (distance to them / way)^2 times. */
+static void go_on(TinkerContactChange *change, const TinkerContact *before)
+{
+    const TinkerContacts *contacts = change->contacts;
+    double asked = 0, way = 0;
+    for (guint i = 0; i < contacts->closed->len; i++) {
+        const TinkerContact *now = tinker_contacts_closed(contacts, i), *from = &before[i];
+        if (!is_moved(change, now)) continue;
+        asked += apart(change, now, now->base_normal - from->normal, now->base_friction - from->friction);
+        way += apart(change, now, now->normal - from->normal, now->friction - from->friction);
+    }
+    const double times = way > 0 ? CLAMP(asked / way, 1, FARTHEST) : 1;
+    for (guint i = 0; i < contacts->closed->len; i++) {
+        TinkerContact *now = tinker_contacts_closed(contacts, i);
+        if (!is_moved(change, now)) continue;
+        now->normal = before[i].normal + times * (now->normal - before[i].normal);
+        now->friction = before[i].friction + times * (now->friction - before[i].friction);
+    }
+}
+
 /* A share in which everything presses. The laws gave one at an edge of those there are, where something presses no more
  * or is about to slip; if forces change so that it falls over that edge at once, another edge follows, and on without
- * end. Between the edges: by turns to what presses, and to what the motion asks for, as near to it as can be. Source:
- * the method of alternating projections, H. H. Bauschke, J. M. Borwein, SIAM Review 38 (1996) 367-426. */
+ * end. Between the edges: by turns to what presses, and to what the motion asks for, as near to it as can be, and on
+ * along that way. Sources: the method of alternating projections, H. H. Bauschke, J. M. Borwein, SIAM Review 38 (1996)
+ * 367-426; how far on, H. H. Bauschke, P. L. Combettes, S. G. Kruk, "Extrapolation algorithm for affine-convex
+ * feasibility problems", Numerical Algorithms 41 (2006) 239-274. */
 static gboolean share_within(TinkerContactChange *change)
 {
     TinkerContacts *contacts = change->contacts;
-    g_autofree TinkerContact *kept = g_memdup2(contacts->closed->data, contacts->closed->len * sizeof(TinkerContact));
+    const gsize bytes = contacts->closed->len * sizeof(TinkerContact);
+    g_autofree TinkerContact *kept = g_memdup2(contacts->closed->data, bytes), *before = g_malloc(bytes);
     double least = 0;
     for (guint i = 0; i < contacts->closed->len; i++)
         if (is_asked(change, &kept[i])) least = fmax(least, kept[i].base_normal);
+    press_as_given(change);
     for (int pass = 0; least > 0 && pass < MOST_PASSES; pass++) {
         if (pass % PASSES_EACH == 0) least *= pass == 0 ? LARGEST_LEAST : LESS;
+        memcpy(before, contacts->closed->data, bytes);
         for (guint i = 0; i < contacts->closed->len; i++) {
-            TinkerContact *contact = tinker_contacts_closed(contacts, i);
-            if (is_asked(change, contact) && !tinker_contacts_is_pin(contacts, contact))
-                press(contacts, contact, least);
+            const TinkerContact *contact = tinker_contacts_closed(contacts, i);
+            if (is_moved(change, contact) && !tinker_contacts_resists(contacts, contact)) press(contacts, i, least);
         }
         if (presses_all(change, least)) return TRUE;
+        go_on(change, before);
     }
-    memcpy(contacts->closed->data, kept, contacts->closed->len * sizeof(TinkerContact));
+    memcpy(contacts->closed->data, kept, bytes);
     tinker_contacts_take_shares(contacts);
     return FALSE;
 }
