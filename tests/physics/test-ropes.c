@@ -216,6 +216,55 @@ static void test_held(void)
     }
 }
 
+/* Three masses fall; a spring pulls the third and the second together, and that the first by a rope: as long as it is
+ * stretched, a quarter of a swing of all three. Whatever the numbers the rope lets go then, and the first goes on. */
+static void test_lets_go(void)
+{
+    for (int i = 0; i < 60; i++) {
+        const double first = 0.2 + 0.37 * (i % 7), second = 3.1 - 0.27 * (i % 11), third = 1.3, k = 7 + 1.9 * i;
+        const double both = first + second, w = sqrt(k * (1 / both + 1 / third)), t = G_PI / (2 * w), end = 1.5 * t;
+        const double c = cos(0.11 * i), s = sin(0.11 * i), way = 1e-4 * third / (both + third), speed = way * w;
+        g_autoptr(PhysicsRun) run = physics_run(
+            &(PhysicsOptions){.method = "dop853", .tolerance = 1e-13, .duration = end, .columns = "Rope 0.tension"},
+            "{'type': 'gravity'}, {'type': 'mass', 'mass': %.17g}, {'type': 'mass', 'mass': %.17g, 'position':"
+            " [%.17g, %.17g]}, {'type': 'mass', 'mass': %.17g, 'position': [%.17g, %.17g]},"
+            "{'type': 'rope', 'ends': ['Mass 0', 'Mass 1'], 'length': 1},"
+            "{'type': 'spring', 'ends': ['Mass 1', 'Mass 2'], 'stiffness': %.17g, 'rest_length': 1}",
+            first, second, c, s, third, (2 + 1e-4) * c, (2 + 1e-4) * s, k);
+        const double along = way + speed * (end - t);
+        contact_assert_event(run, "slack", "Rope 0", t, 1e-9);
+        contact_assert_count(run, "slack", 1);
+        contact_assert_state(
+            run, "Mass 0", (double[]){along * c, along * s - g * end * end / 2, speed * c, speed * s - g * end}, 1e-8);
+    }
+}
+
+/* A rope beside a rod of its length holds no more than both, also where some support moves that neither is tied to:
+ * together they pull a pendulum by m (g cos(angle) + v^2 / length). */
+static void test_beside_a_rod(void)
+{
+    for (int i = 0; i < 80; i++) {
+        const double angle = 0.03 * i - 1.2, length = 500 + 7.7 * i, v = 3 + 0.7 * i, at[] = {0, 0.5};
+        g_autoptr(PhysicsRun) run = physics_run(
+            &(PhysicsOptions){.method = "dop853",
+                              .tolerance = 1e-11,
+                              .duration = 0.5,
+                              .columns = "Rod 0.tension, Rope 0.tension, Mass 0.y",
+                              .at = at,
+                              .at_count = 2},
+            "{'type': 'gravity'}, %s{'type': 'support', 'name': 'Far', 'position': [5000, 0]},"
+            "{'type': 'support-motion', 'ends': ['Far'], 'amplitude': 2, 'frequency': 0.1},"
+            "{'type': 'mass', 'mass': 3, 'position': [%.17g, %.17g], 'velocity': [%.17g, %.17g]},"
+            "{'type': 'rod', 'ends': ['Support 0', 'Mass 0']}, {'type': 'rope', 'ends': ['Mass 0', 'Support 0']}",
+            pivot, length * sin(angle), -length * cos(angle), v * cos(angle), v * sin(angle));
+        for (gsize row = 0; row < 2; row++) {
+            const double y = physics_value(run, row, 2), fell = -length * cos(angle) - y;
+            const double pull = 3 * (g * -y / length + (v * v + 2 * g * fell) / length);
+            physics_assert_near("pull", physics_value(run, row, 0) + physics_value(run, row, 1), pull, 1e-9);
+        }
+    }
+}
+
 static void add_tests(void)
 {
     g_test_add_func("/physics/ropes/tackles", test_tackles);
@@ -227,6 +276,8 @@ static void add_tests(void)
     g_test_add_func("/physics/ropes/leaves-the-circle", test_leaves_the_circle);
     g_test_add_func("/physics/ropes/pulls-together", test_pulls_together);
     g_test_add_func("/physics/ropes/with-a-plate", test_with_a_plate);
+    g_test_add_func("/physics/ropes/lets-go", test_lets_go);
+    g_test_add_func("/physics/ropes/beside-a-rod", test_beside_a_rod);
 }
 
 int main(int argc, char **argv)

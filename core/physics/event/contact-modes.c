@@ -251,6 +251,20 @@ static gboolean lets_go(const TinkerContactChange *change, const TinkerTouch *at
     return kind == TINKER_TRIGGER_NORMAL || (limit && change->turns);
 }
 
+/* What acts on the bodies of a row besides it (N), added up: where that cancels along the row, what is left is rounding
+ * of this. */
+static double acts_along(const TinkerModel *model, int32_t row)
+{
+    const TinkerConstraints *all = &model->constraints;
+    double sum = 0;
+    for (int32_t e = all->row_starts[row]; e < all->row_starts[row + 1]; e++) {
+        const int32_t body = all->points[e];
+        for (int32_t k = 2 * body; body < model->bodies && k < 2 * body + 2; k++)
+            sum += fabs(model->force[k]) + model->mass[body] * fabs(model->constant_acceleration[k]);
+    }
+    return sum;
+}
+
 static void note_modes(TinkerContactChange *change, const TinkerContactLaws *laws, double scale)
 {
     for (guint i = 0; i < laws->count; i++) {
@@ -270,7 +284,8 @@ static void note_modes(TinkerContactChange *change, const TinkerContactLaws *law
         if (!at->struck) at->contact.normal = laws->answers[2 * i];
         at->contact.base_normal = laws->answers[2 * i];
         at->contact.base_friction = laws->answers[2 * i + 1];
-        if (lets_go(change, at, laws->answers[2 * i], mass * scale)) at->contact.mode = TINKER_CONTACT_OPEN;
+        const double acts = mass * scale + (at->row >= 0 ? acts_along(change->model, at->row) : 0);
+        if (lets_go(change, at, laws->answers[2 * i], acts)) at->contact.mode = TINKER_CONTACT_OPEN;
     }
 }
 

@@ -266,10 +266,20 @@ static gboolean is_any_rigid(const TinkerConstraints *all)
     return FALSE;
 }
 
+/* Whether a constraint attaches to a support that moves. */
+static gboolean is_any_carried(const TinkerModel *model)
+{
+    const TinkerConstraints *all = &model->constraints;
+    for (int32_t e = 0; model->moving_supports > 0 && e < all->entries; e++)
+        if (all->points[e] >= model->first_support && tinker_model_attachment(model, all->points[e])->moving)
+            return TRUE;
+    return FALSE;
+}
+
 void tinker_change_note_held(TinkerContactChange *change)
 {
     const TinkerModel *model = change->model;
-    if (model->constraints.prescribed || model->moving_supports > 0 || !is_any_rigid(&model->constraints)) return;
+    if (model->constraints.prescribed || is_any_carried(model) || !is_any_rigid(&model->constraints)) return;
     for (guint i = 0; i < change->touches->len; i++) {
         TinkerTouch *at = tinker_touch(change, i);
         if (at->row < 0) continue;
