@@ -46,6 +46,27 @@ static void test_pyramid(void)
     g_assert_cmpfloat(run->summary->books[TINKER_BOOK_FRICTION], <=, 0);
 }
 
+/* Boxes in a pyramid, into which a heavy disc flies: two stand side by side without a force between them, while all
+ * beneath and above them slide. What presses there is undetermined, the friction of that is not nothing, and so one
+ * share of the load parts the two and another pushes them together. The run comes to its end, and its books close. */
+static void test_struck_pyramid(void)
+{
+    PhysicsOptions options = {
+        .method = "dop853", .tolerance = 1e-9, .duration = 1.5, .interval = 0.01, .columns = "Ball.x"};
+    g_autoptr(GString) blocks = g_string_new(CONTACT_WEIGHT "{'type': 'support', 'position': [0.8, -0.2], 'width': 8,"
+                                                            " 'height': 0.4, 'static_friction': 0.5,"
+                                                            " 'dynamic_friction': 0.4}");
+    for (int row = 4; row >= 1; row--)
+        for (int i = 0; i < row; i++)
+            g_string_append_printf(blocks, ", {'type': 'box', 'width': 0.4, 'height': 0.4, 'position': [%.2f, %.1f]}",
+                                   1 + 0.46 * (i - (row - 1) / 2.0), 0.2 + 0.4 * (4 - row));
+    g_string_append(blocks, ", {'type': 'disc', 'name': 'Ball', 'mass': 4, 'radius': 0.25, 'position': [-2.6, 0.7],"
+                            " 'velocity': [6, 3], 'restitution': 0.3}");
+    g_autoptr(PhysicsRun) run = physics_run(&options, "%s", blocks->str);
+    g_assert_cmpfloat(run->summary->energy_balance_error, <=, 1e-9);
+    g_assert_cmpfloat(run->summary->books[TINKER_BOOK_FRICTION], <=, 0);
+}
+
 /* A light box between a heavy one and a wall: both come to rest at the wall by infinitely many blows within a finite
  * time. They lie on the floor all the while, so that nothing leaves an end; that the end of the floor, far away, is in
  * line with their lower edges does not make it touch them. */
@@ -75,6 +96,7 @@ static void add_tests(void)
 {
     g_test_add_func("/contact-wedged/grows-beyond-bounds", test_grows_beyond_bounds);
     g_test_add_func("/contact-wedged/pyramid", test_pyramid);
+    g_test_add_func("/contact-wedged/struck-pyramid", test_struck_pyramid);
     g_test_add_func("/contact-wedged/rattles-to-rest", test_rattles_to_rest);
 }
 

@@ -50,6 +50,25 @@ static gboolean keeps_laws(const TinkerContactChange *change, const TinkerContac
     return contact->at_limit || slips_as_said(change, contact);
 }
 
+/* Whether all that opens parts, by the accelerations worked out last: what slides rubs by what presses on it, so that
+ * another share of a load is another motion. */
+static gboolean parts_as_said(const TinkerContactChange *change)
+{
+    const TinkerModel *model = change->model;
+    const double *a = change->run->force, *constant = model->constant_acceleration;
+    for (guint i = 0; i < change->touches->len; i++) {
+        const TinkerTouch *at = tinker_touch(change, i);
+        if (at->row >= 0 || at->contact.mode != TINKER_CONTACT_OPEN || tinker_touch_leans(change, i)) continue;
+        const int32_t k = 2 * at->contact.body, base = 2 * tinker_touch_plate(change, i)->point;
+        const double scale =
+            fabs(a[k]) + fabs(a[k + 1]) + fabs(a[base]) + fabs(a[base + 1]) + fabs(constant[k]) + fabs(constant[k + 1]);
+        double along[2];
+        tinker_contacts_relative_acceleration(change->contacts, &at->contact, a, along);
+        if (along[0] < -TINKER_FORCE_NOISE * scale) return FALSE;
+    }
+    return TRUE;
+}
+
 /* Whether the load of this closed contact is shared anew. */
 static gboolean is_asked(const TinkerContactChange *change, const TinkerContact *contact)
 {
@@ -96,7 +115,7 @@ static gboolean try_share(TinkerContactChange *change, void (*share)(TinkerConta
     gboolean keeps = tinker_contact_run_look_at(change->run, state->t, state->q, state->v, NULL) == TINKER_OK;
     for (guint i = 0; keeps && i < contacts->closed->len; i++)
         if (is_asked(change, &kept[i])) keeps = keeps_laws(change, tinker_contacts_closed(contacts, i));
-    if (keeps) return TRUE;
+    if (keeps && parts_as_said(change)) return TRUE;
     memcpy(contacts->closed->data, kept, contacts->closed->len * sizeof(TinkerContact));
     tinker_contacts_take_shares(contacts);
     return FALSE;
@@ -174,7 +193,7 @@ static gboolean presses_all(TinkerContactChange *change, double least)
         const TinkerContact *contact = tinker_contacts_closed(contacts, i);
         if (is_moved(change, contact)) all = keeps_laws(change, contact) && contact->normal >= 0.5 * least;
     }
-    return all;
+    return all && parts_as_said(change);
 }
 
 /* The square of how far two sets of forces are apart, as the least norm has it. */
