@@ -1,8 +1,10 @@
 /* Bringing a model to a time and a state, and showing plugins their part of it. */
 #include <glib/gi18n-lib.h>
-#include <math.h>
 
+#include "numerics/sines/sines.h"
 #include "physics/model/model-data.h"
+
+#define TOGETHER 64 /* bodies whose angles are set at once */
 
 TinkerBatch tinker_model_view(const TinkerModel *model, const TinkerBlockBatch *batch, int32_t first, int32_t count,
                               const double **columns)
@@ -100,66 +102,110 @@ static inline TinkerAttachment *attachments_of(const TinkerModel *model, const T
 
 static void set_turn_rates(TinkerModel *model, const double *v)
 {
-    TinkerPoint *restrict points = model->point;
+    const double *speeds = v + 2 * model->bodies;
     for (int32_t k = 0; k < model->turning; k++) {
         TinkerTurn *turn = &model->turns[k];
-        const double speed = v[2 * model->bodies + k], rate = speed * turn->by_gyration;
-        const double vx = points[turn->body].vx, vy = points[turn->body].vy;
-        const TinkerAttachment *at = attachments_of(model, turn);
-        turn->speed = speed;
-        turn->rate = rate;
-        TinkerPoint *const end = points + turn->end_attachment;
-        for (TinkerPoint *point = points + turn->first_attachment; point < end; point++, at++) {
-            point->vx = at->turn ? rate : vx - rate * at->arm[1];
-            if (!at->turn) point->vy = vy + rate * at->arm[0];
+        const double vx = model->point[turn->body].vx, vy = model->point[turn->body].vy;
+        const double rate = turn->rate = speeds[k] * turn->by_gyration;
+        turn->speed = speeds[k];
+        const TinkerAttachment *restrict at = attachments_of(model, turn);
+        TinkerPoint *restrict point = model->point + turn->first_attachment;
+        const TinkerPoint *const end = model->point + turn->end_attachment;
+        for (; point < end; point++, at++) {
+            if (at->turn) {
+                point->vx = rate;
+                continue;
+            }
+            point->vx = vx - rate * at->arm[1];
+            point->vy = vy + rate * at->arm[0];
         }
     }
 }
 
-/* Many states stand at one place, between the stages of a step and its projections: sine, cosine and arms are kept.
- * Answers whether they are others now. */
-static inline gboolean set_angle(TinkerTurn *turn, double place)
-{
-    if (turn->place == place) return FALSE;
-    turn->place = place;
-    turn->angle = place / turn->gyration;
-    turn->cosine = cos(turn->angle);
-    turn->sine = sin(turn->angle);
-    return TRUE;
-}
-
 static inline void turn_arm(TinkerAttachment *at, double cosine, double sine)
 {
-    at->arm[0] = cosine * at->x - sine * at->y;
-    at->arm[1] = sine * at->x + cosine * at->y;
+    const double x = at->x, y = at->y;
+    at->arm[0] = cosine * x - sine * y;
+    at->arm[1] = sine * x + cosine * y;
 }
 
-static inline void put_attachments(TinkerModel *model, TinkerTurn *turn, gboolean turned)
+static inline void put_attachments(TinkerModel *model, const TinkerTurn *turn, gboolean turned)
 {
-    const double x = turn->x, y = turn->y, angle = turn->angle, cosine = turn->cosine, sine = turn->sine;
-    TinkerAttachment *at = attachments_of(model, turn);
-    TinkerPoint *const end = model->point + turn->end_attachment;
-    for (TinkerPoint *point = model->point + turn->first_attachment; point < end; point++, at++) {
-        if (turned && !at->turn) turn_arm(at, cosine, sine);
-        point->x = at->turn ? angle : x + at->arm[0];
-        if (!at->turn) point->y = y + at->arm[1];
+    const double x = turn->x, y = turn->y;
+    const double angle = turn->angle, cosine = turn->cosine, sine = turn->sine;
+    TinkerAttachment *restrict at = attachments_of(model, turn);
+    TinkerPoint *restrict point = model->point + turn->first_attachment;
+    const TinkerPoint *const end = model->point + turn->end_attachment;
+    for (; point < end; point++, at++) {
+        if (at->turn) {
+            point->x = angle;
+            continue;
+        }
+        if (turned) turn_arm(at, cosine, sine);
+        point->x = x + at->arm[0];
+        point->y = y + at->arm[1];
     }
+}
+
+static void turn_bodies(TinkerModel *model, TinkerTurn *turns, int32_t count, const double *places)
+{
+    double angles[TOGETHER], sines[TOGETHER], cosines[TOGETHER];
+    for (int32_t k = 0; k < count; k++) {
+        const TinkerPoint *centre = &model->point[turns[k].body];
+        angles[k] = turns[k].angle = places[k] / turns[k].gyration;
+        turns[k].place = places[k];
+        turns[k].x = centre->x;
+        turns[k].y = centre->y;
+    }
+    tinker_sines(count, angles, sines, cosines);
+    for (int32_t k = 0; k < count; k++) {
+        turns[k].cosine = cosines[k];
+        turns[k].sine = sines[k];
+        put_attachments(model, &turns[k], TRUE);
+    }
+    model->turned = TRUE;
+}
+
+static void move_bodies(TinkerModel *model, TinkerTurn *turns, int32_t count)
+{
+    for (TinkerTurn *turn = turns; turn < turns + count; turn++) {
+        const TinkerPoint *centre = &model->point[turn->body];
+        if (turn->x == centre->x && turn->y == centre->y) continue;
+        turn->x = centre->x;
+        turn->y = centre->y;
+        put_attachments(model, turn, FALSE);
+    }
+}
+
+static gboolean any_turned(const TinkerTurn *turns, int32_t count, const double *places)
+{
+    for (int32_t k = 0; k < count; k++)
+        if (turns[k].place != places[k]) return TRUE;
+    return FALSE;
+}
+
+/* Many states stand at one place, between the stages of a step and its projections. */
+static gboolean any_moved(const TinkerModel *model, const TinkerTurn *turns, int32_t count, const double *places)
+{
+    for (int32_t k = 0; k < count; k++) {
+        const TinkerPoint *centre = &model->point[turns[k].body];
+        if (turns[k].place != places[k] || turns[k].x != centre->x || turns[k].y != centre->y) return TRUE;
+    }
+    return FALSE;
 }
 
 void tinker_model_set_angles(TinkerModel *model, const double *q)
 {
-    gboolean any = FALSE;
-    for (int32_t k = 0; k < model->turning; k++) {
-        TinkerTurn *turn = &model->turns[k];
-        const TinkerPoint *centre = &model->point[turn->body];
-        const gboolean turned = set_angle(turn, q[2 * model->bodies + k]);
-        any |= turned;
-        if (!turned && turn->x == centre->x && turn->y == centre->y) continue;
-        turn->x = centre->x;
-        turn->y = centre->y;
-        put_attachments(model, turn, turned);
+    const double *places = q + 2 * model->bodies;
+    for (int32_t first = 0; first < model->turning; first += TOGETHER) {
+        const int32_t count = MIN(TOGETHER, model->turning - first);
+        TinkerTurn *turns = model->turns + first;
+        if (!any_moved(model, turns, count, places + first)) continue;
+        if (any_turned(turns, count, places + first))
+            turn_bodies(model, turns, count, places + first);
+        else
+            move_bodies(model, turns, count);
     }
-    model->turned |= any;
 }
 
 void tinker_model_set_turns(TinkerModel *model, const double *q, const double *v)
@@ -227,10 +273,9 @@ void tinker_model_share_state(TinkerModel *model, const double *q, const double 
 
 void tinker_model_set_places(TinkerModel *model, const double *q)
 {
-    for (int32_t i = 0; i < model->bodies; i++) {
-        model->point[i].x = q[2 * i];
-        model->point[i].y = q[2 * i + 1];
-    }
+    TinkerPoint *restrict point = model->point;
+    for (int32_t i = 0; i < model->bodies; i++)
+        memcpy(&point[i].x, &q[2 * i], 2 * sizeof(double)); /* as one, for it is read so again at once */
     if (model->turning > 0) tinker_model_set_angles(model, q);
 }
 
