@@ -211,8 +211,9 @@ TinkerStatus tinker_constraints_project_velocities(TinkerModel *model, double t,
 static TinkerStatus find_directions(TinkerModel *model, gboolean gaps, const double *q, const double *v)
 {
     if (!gaps) return evaluate_at(model, q, v);
+    if (!model->turned && tinker_model_has_angles(model, q)) return TINKER_OK;
     tinker_model_set_places(model, q);
-    return model->turned ? tinker_constraints_evaluate(model) : TINKER_OK;
+    return tinker_constraints_evaluate(model);
 }
 
 /* g at a place: where that can be had alone, without the rest. */

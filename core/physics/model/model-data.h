@@ -413,6 +413,8 @@ void tinker_model_reduce_forces(TinkerModel *model);
 void tinker_model_set_turns(TinkerModel *model, const double *q, const double *v);
 /* Angles alone, of places that were set before: attachments to bodies are put where they are then. */
 void tinker_model_set_angles(TinkerModel *model, const double *q);
+/* Whether the angles set last are those of q. */
+gboolean tinker_model_has_angles(const TinkerModel *model, const double *q);
 /* Packs q and v into the points: of many bodies, shared among threads, or of some that turn. */
 void tinker_model_share_state(TinkerModel *model, const double *q, const double *v);
 

@@ -208,6 +208,11 @@ void tinker_model_set_angles(TinkerModel *model, const double *q)
     }
 }
 
+gboolean tinker_model_has_angles(const TinkerModel *model, const double *q)
+{
+    return !any_turned(model->turns, model->turning, q + 2 * model->bodies);
+}
+
 void tinker_model_set_turns(TinkerModel *model, const double *q, const double *v)
 {
     tinker_model_set_angles(model, q);
