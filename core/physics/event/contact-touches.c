@@ -144,11 +144,14 @@ static void take_closed(TinkerContactChange *change)
     }
 }
 
-/* Whether the event is that this one closes. */
+/* Whether the event is that this one closes. What parts no more by its acceleration is closed only where it has not
+ * come clear of its plate by then: else its gap tells when it is back. */
 static gboolean meets_now(const TinkerContactChange *change, const TinkerTouch *of)
 {
-    return tinker_change_is_trigger(change, of) &&
-           (change->trigger.kind == TINKER_TRIGGER_GAP || change->trigger.kind == TINKER_TRIGGER_LEAVING);
+    if (!tinker_change_is_trigger(change, of)) return FALSE;
+    if (change->trigger.kind == TINKER_TRIGGER_LEAVING)
+        return of->row >= 0 || fabs(of->place.gap) <= tinker_contact_run_touching(change->run);
+    return change->trigger.kind == TINKER_TRIGGER_GAP;
 }
 
 /* One that has just opened is watched by its acceleration, so that it is not taken for closed on the way; a blow on
