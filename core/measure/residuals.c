@@ -50,9 +50,8 @@ gboolean tinker_residuals(const TinkerCurveSamples *curve, const TinkerCurveSamp
     if (curve->count / 2 + 1 < TINKER_CURVE_LEAST) return FALSE;
     rms->value = rms_of(curve, measured, from, to, count);
     if (*count == 0) return FALSE;
-    g_autofree double *times = tinker_every_second(curve->times, curve->count),
-                      *values = tinker_every_second(curve->values, curve->count);
-    const TinkerCurveSamples coarse = {times, values, curve->count / 2 + 1};
+    g_autofree double *room = NULL;
+    const TinkerCurveSamples coarse = tinker_every_second(curve, &room);
     for (gsize i = 0; i < curve->count; i++)
         largest = fmax(largest, fabs(curve->values[i]));
     rms->error = band + TINKER_STATISTIC_ROUNDING * largest +

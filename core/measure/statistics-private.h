@@ -4,6 +4,7 @@
 
 #include <float.h>
 
+#include "measure/curve-pieces.h"
 #include "measure/statistics.h"
 
 #define TINKER_STATISTIC_ROUNDING (4 * DBL_EPSILON) /* of the largest value: of samples and sums */
@@ -12,7 +13,8 @@
  * values may be off by `band`. */
 void tinker_find_swings(const GArray *extrema, double band, TinkerStatistics *result);
 
-/* Every second of so many samples, and the last: count / 2 + 1 of them. (transfer full) */
-double *tinker_every_second(const double *values, gsize count);
+/* Every second of these samples, the last, and both ends of each jump; they lie in a room that is made. (transfer full)
+ */
+TinkerCurveSamples tinker_every_second(const TinkerCurveSamples *samples, double **room);
 
 #endif

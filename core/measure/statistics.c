@@ -31,6 +31,17 @@ static void add_kink(Sums *sums, const TinkerCurvePiece *piece)
     if (sums->slope * piece->b < 0) g_array_append_vals(sums->extrema, extremum, 2);
 }
 
+/* Straight up or down, at one time. Each of its ends may be an extremum. */
+static void add_jump(Sums *sums, double time, double before, double behind)
+{
+    const double extremum[2] = {time, before};
+    if (before == behind) return;
+    note(sums, before);
+    note(sums, behind);
+    if (sums->slope * (behind - before) < 0) g_array_append_vals(sums->extrema, extremum, 2);
+    sums->slope = behind - before;
+}
+
 static void add_piece(Sums *sums, const TinkerCurvePiece *piece, double from, double to)
 {
     static const double nodes[2] = {0.33998104358485626480, 0.86113631159405257522};
@@ -101,6 +112,8 @@ static TinkerStatistics measure(const TinkerCurveSamples *samples, double from, 
     Sums sums = {0, 0, INFINITY, -INFINITY, NAN, g_array_new(FALSE, FALSE, sizeof(double))};
     for (gsize i = 0; i + 1 < samples->count; i++) {
         const double start = samples->times[i], end = samples->times[i + 1];
+        if (start == end && start > from && start < to)
+            add_jump(&sums, start, samples->values[i], samples->values[i + 1]);
         if (end <= from || start >= to || !(end > start)) continue;
         TinkerCurvePiece pieces[2];
         const guint count = tinker_curve_pieces(samples, i, pieces);
@@ -119,13 +132,26 @@ static TinkerStatistics measure(const TinkerCurveSamples *samples, double from, 
     return result;
 }
 
-double *tinker_every_second(const double *values, gsize count)
+/* Of both ends of a jump neither is left out: it would lean. */
+static gboolean is_at_jump(const TinkerCurveSamples *samples, gsize i)
 {
-    double *half = g_new(double, count / 2 + 1);
-    for (gsize i = 0; 2 * i < count; i++)
-        half[i] = values[2 * i];
-    half[count / 2] = values[count - 1];
-    return half;
+    const double *times = samples->times;
+    return (i > 0 && times[i] == times[i - 1]) || (i + 1 < samples->count && times[i] == times[i + 1]);
+}
+
+TinkerCurveSamples tinker_every_second(const TinkerCurveSamples *samples, double **room)
+{
+    const gsize count = samples->count;
+    double *times = *room = g_new(double, 2 * count + 1), *values = times + count;
+    gsize kept = 0, skipped = 1;
+    for (gsize i = 0; i < count; i++) {
+        const gboolean is_kept = skipped == 1 || i + 1 == count || is_at_jump(samples, i);
+        skipped = is_kept ? 0 : skipped + 1;
+        if (!is_kept) continue;
+        times[kept] = samples->times[i];
+        values[kept++] = samples->values[i];
+    }
+    return (TinkerCurveSamples){times, values, kept};
 }
 
 /* What the samples tell only as they are, and every second of them would not, has no error that is known. */
@@ -147,9 +173,8 @@ gboolean tinker_statistics(const double *times, const double *values, gsize coun
                            TinkerStatistics *statistics)
 {
     if (count / 2 + 1 < TINKER_CURVE_LEAST || !(to > from)) return FALSE;
-    g_autofree double *half_times = tinker_every_second(times, count),
-                      *half_values = tinker_every_second(values, count);
-    const TinkerCurveSamples fine = {times, values, count}, coarse = {half_times, half_values, count / 2 + 1};
+    g_autofree double *room = NULL;
+    const TinkerCurveSamples fine = {times, values, count}, coarse = tinker_every_second(&fine, &room);
     *statistics = measure(&fine, from, to, band);
     const TinkerStatistics rough = measure(&coarse, from, to, band);
     TinkerStatistic *all[] = {&statistics->mean,      &statistics->rms,       &statistics->least,

@@ -92,7 +92,7 @@ static PhysicsRun *prepare_and_run(const PhysicsOptions *options, const char *bl
 {
     PhysicsRun *run = prepare(options, blocks);
     if (run->simulation == NULL) return run;
-    const TinkerSampleTaker taker = {keep, begin_again, run};
+    const TinkerSampleTaker taker = {.sample = keep, .begin_again = begin_again, .data = run};
     gboolean done = tinker_accurate_run(&run->simulation, run->columns, &taker, &run->error);
     run->summary = tinker_simulation_summary(run->simulation);
     g_assert_true(done == (run->error == NULL));

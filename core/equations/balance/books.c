@@ -94,7 +94,7 @@ static gboolean run(TinkerBookKeeper *keeper, const TinkerRunOptions *options, G
     begin_again(keeper);
     keeper->model = tinker_model_new(keeper->scene, error);
     TinkerSimulation *simulation = keeper->model != NULL ? tinker_simulation_new(keeper->model, &with, error) : NULL;
-    const TinkerSampleTaker taker = {look, begin_again, keeper};
+    const TinkerSampleTaker taker = {.sample = look, .begin_again = begin_again, .data = keeper};
     const gboolean done = simulation != NULL && tinker_accurate_run(&simulation, keeper->columns, &taker, error);
     if (done && instants != NULL) *instants = instants_of(simulation);
     if (done && step != NULL) {

@@ -132,6 +132,7 @@ static gboolean hold_accuracy(TinkerSimulation **simulation, const GArray *colum
     g_autofree TinkerChoice *choices = choices_of(*simulation);
     for (;;) {
         g_autoptr(GError) failure = NULL;
+        tinker_simulation_ask_at_events(*simulation, taker->at_events);
         gboolean done = tinker_simulation_run(*simulation, columns, taker->sample, taker->data, &failure);
         TinkerSummary *summary = &(*simulation)->all->summary;
         add_try(summary);
@@ -152,5 +153,6 @@ gboolean tinker_accurate_run(TinkerSimulation **simulation, const GArray *column
 {
     const TinkerRunOptions *options = &(*simulation)->all->options;
     if (options->accuracy > 0 && options->estimate) return hold_accuracy(simulation, columns, taker, error);
+    tinker_simulation_ask_at_events(*simulation, taker->at_events);
     return tinker_simulation_run(*simulation, columns, taker->sample, taker->data, error);
 }

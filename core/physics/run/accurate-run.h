@@ -16,7 +16,8 @@ typedef struct {
     TinkerSampleFunc sample;         /* NULL: nobody */
     void (*begin_again)(void *data); /* forgets all samples so far: they were of a try that missed. NULL: later samples
                                         replace earlier ones anyway */
-    void *data;                      /* of the two */
+    TinkerEventsFunc at_events;      /* NULL: nobody wants to know */
+    void *data;                      /* of the three */
 } TinkerSampleTaker;
 
 /* Runs *simulation, which has been prepared and not begun, to its end, as tinker_simulation_run does. Where its options

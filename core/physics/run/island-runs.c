@@ -17,6 +17,7 @@
 #include "physics/run/island-runs.h"
 #include "physics/run/island-steps.h"
 #include "physics/run/simulation.h"
+#include "physics/run/tolerances.h"
 #include "physics/system/method-call.h"
 #include "physics/system/summary.h"
 
@@ -290,21 +291,46 @@ static gboolean follow(TinkerIslandRuns *self, guint number, double t, GError **
     return self->follow == NULL || self->follow(self->follower, number, t, error);
 }
 
+gboolean tinker_island_runs_step_towards(TinkerIslandRuns *self, guint number, double t, GError **error)
+{
+    return follow(self, number, t, error) && tinker_island_runs_step(self, number, error) &&
+           follow(self, number, t, error);
+}
+
+/* Brings one island's bodies, among all, to where they are at t, which its last step has come to. */
+static gboolean place_island(TinkerIslandRuns *self, guint number, double t, gboolean passes, GError **error)
+{
+    TinkerIslandRun *run = g_ptr_array_index(self->runs, number);
+    if (!follow_paths(self, number, t, error)) return FALSE;
+    if (passes && t > 0 && run->state.t == t && !tinker_island_run_pass_instant(run, steps_end(self, t), error))
+        return FALSE;
+    TinkerStatus status = collect(self, run, t);
+    if (status != TINKER_OK) return tinker_island_run_fail_at(run, t, run->model->failure, error);
+    collect_orientations(self, run, t);
+    return TRUE;
+}
+
+gboolean tinker_island_runs_place(TinkerIslandRuns *self, double t, double sample, gboolean passes, GError **error)
+{
+    for (guint i = 0; i < self->runs->len; i++) {
+        const TinkerIslandRun *run = g_ptr_array_index(self->runs, i);
+        while (run->state.t < t)
+            if (!tinker_island_runs_step_towards(self, i, sample, error)) return FALSE;
+        if (!place_island(self, i, t, passes, error)) return FALSE;
+    }
+    return gather_contacts(self, error);
+}
+
 /* A sample that falls on a break is taken behind it: at the instant of a jump the state after it counts. */
 gboolean tinker_island_runs_advance(TinkerIslandRuns *self, double t, GError **error)
 {
     for (guint i = 0; i < self->runs->len; i++) {
-        TinkerIslandRun *run = g_ptr_array_index(self->runs, i);
+        const TinkerIslandRun *run = g_ptr_array_index(self->runs, i);
         if (run->abandoned) continue;
         if (!follow(self, i, t, error)) return FALSE;
         while (run->state.t < t)
             if (!tinker_island_runs_step(self, i, error) || !follow(self, i, t, error)) return FALSE;
-        if (!follow_paths(self, i, t, error)) return FALSE;
-        double end = steps_end(self, t);
-        if (t > 0 && run->state.t == t && !tinker_island_run_pass_instant(run, end, error)) return FALSE;
-        TinkerStatus status = collect(self, run, t);
-        if (status != TINKER_OK) return tinker_island_run_fail_at(run, t, run->model->failure, error);
-        collect_orientations(self, run, t);
+        if (!place_island(self, i, t, TRUE, error)) return FALSE;
     }
     self->sample_time = t;
     return gather_contacts(self, error);
@@ -334,14 +360,31 @@ static void enter_piece_at(TinkerIslandRuns *self, double t)
     tinker_model_enter_piece(self->model, 0.5 * (t + self->piece_end));
 }
 
-TinkerStatus tinker_island_runs_sample(TinkerIslandRuns *self, double t)
+/* Likewise the piece that ends at t or holds it. */
+static void enter_piece_before(TinkerIslandRuns *self, double t)
 {
-    gint64 evaluations = self->model->evaluations;
-    enter_piece_at(self, t);
+    if (t != self->piece_end) enter_piece_at(self, t * (1 - TINKER_SAME_INSTANT));
+}
+
+static TinkerStatus sample(TinkerIslandRuns *self, double t)
+{
+    const gint64 evaluations = self->model->evaluations;
     TinkerStatus status = tinker_sampler_values(self->sampler, t, self->sample_q, self->sample_v, self->values);
     if (status == TINKER_OK && self->along != NULL) status = tinker_along_run_values(self->along, t, self->values);
     self->model->evaluations = evaluations;
     return status;
+}
+
+TinkerStatus tinker_island_runs_sample(TinkerIslandRuns *self, double t)
+{
+    enter_piece_at(self, t);
+    return sample(self, t);
+}
+
+TinkerStatus tinker_island_runs_sample_before(TinkerIslandRuns *self, double t)
+{
+    enter_piece_before(self, t);
+    return sample(self, t);
 }
 
 double tinker_island_runs_wound_length(TinkerIslandRuns *self, TinkerBlockId block)
@@ -378,5 +421,6 @@ void tinker_island_runs_take_columns(TinkerIslandRuns *self, const GArray *colum
 {
     self->sampler = tinker_sampler_new(self->model, columns);
     self->along = tinker_along_run_new(self->model, self->runs, columns);
-    self->values = g_new0(double, columns != NULL ? columns->len + 1 : 1);
+    self->columns = columns != NULL ? columns->len : 0;
+    self->values = g_new0(double, self->columns + 1);
 }

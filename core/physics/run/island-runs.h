@@ -27,6 +27,7 @@ typedef struct {
     gint64 work;            /* of all runs together since the options' functions were last called */
     TinkerSampler *sampler;
     TinkerAlongRun *along; /* NULL where no such column is wanted */
+    guint columns;         /* which the sampler evaluates */
     double *values;
     /* Called after each step of an island on its way to a sample at t, and before the first; NULL: nobody follows.
      * FALSE stops. */
@@ -51,12 +52,19 @@ void tinker_island_runs_take_columns(TinkerIslandRuns *runs, const GArray *colum
 /* One step of the island with this number, or of the one that is farthest behind. */
 gboolean tinker_island_runs_step(TinkerIslandRuns *runs, guint number, GError **error);
 gboolean tinker_island_runs_step_behind(TinkerIslandRuns *runs, GError **error);
+/* As tinker_island_runs_step, on the way to a sample at t, for whom follows. */
+gboolean tinker_island_runs_step_towards(TinkerIslandRuns *runs, guint number, double t, GError **error);
 
 /* Brings all islands to time t at least, and the whole model's bodies to where they are then. */
 gboolean tinker_island_runs_advance(TinkerIslandRuns *runs, double t, GError **error);
 
-/* Evaluates the columns there. */
+/* The whole model's bodies to where they are at t, on the way to a sample: on the near side of what happens there, or,
+ * where it `passes`, on the far side. The last step of no island may have begun behind t. */
+gboolean tinker_island_runs_place(TinkerIslandRuns *runs, double t, double sample, gboolean passes, GError **error);
+
+/* Evaluates the columns there; where a waveform jumps, by what it was before. */
 TinkerStatus tinker_island_runs_sample(TinkerIslandRuns *runs, double t);
+TinkerStatus tinker_island_runs_sample_before(TinkerIslandRuns *runs, double t);
 
 /* What tinker_constraints_wound_length says of a block in the island that it is in, at the last sample. */
 double tinker_island_runs_wound_length(TinkerIslandRuns *runs, TinkerBlockId block);

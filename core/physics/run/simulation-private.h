@@ -4,14 +4,18 @@
 
 #include "physics/run/box-watch.h"
 #include "physics/run/estimate.h"
+#include "physics/run/event-values.h"
 #include "physics/run/island-runs.h"
 #include "physics/run/simulation.h"
 
 struct _TinkerSimulation {
     TinkerIslandRuns *all;
-    TinkerBoxWatch *watch;    /* NULL where no two bodies could overlap, or where it has been told that they do */
-    TinkerEstimate *estimate; /* NULL where none is asked for, or none is needed */
-    gboolean ended;           /* the run, and its estimate with it */
+    TinkerBoxWatch *watch;      /* NULL where no two bodies could overlap, or where it has been told that they do */
+    TinkerEstimate *estimate;   /* NULL where none is asked for, or none is needed */
+    TinkerEventsFunc at_events; /* NULL: nobody wants to know */
+    TinkerEventValues *events;  /* NULL likewise, or before the run */
+    void *data;                 /* of it and of the samples */
+    gboolean ended;             /* the run, and its estimate with it */
 };
 
 /* A simulation that steps its islands as it is told (one choice an island; NULL: as the options say). */

@@ -41,6 +41,7 @@ void tinker_simulation_free(TinkerSimulation *simulation)
     if (simulation == NULL) return;
     tinker_estimate_free(simulation->estimate);
     tinker_box_watch_free(simulation->watch);
+    tinker_event_values_free(simulation->events);
     tinker_island_runs_free(simulation->all);
     g_free(simulation);
 }
@@ -61,11 +62,23 @@ static void look_for_overlap(TinkerSimulation *simulation, double t)
     g_clear_pointer(&simulation->watch, tinker_box_watch_free);
 }
 
+static gboolean hand_out_event(void *taker, double t, const double *before, const double *behind, GError **error)
+{
+    TinkerSimulation *simulation = taker;
+    return simulation->at_events(simulation, t, before, behind, simulation->data, error);
+}
+
+static gboolean advance(TinkerSimulation *simulation, double t, GError **error)
+{
+    if (simulation->events != NULL) return tinker_event_values_advance(simulation->events, t, error);
+    return tinker_island_runs_advance(simulation->all, t, error);
+}
+
 static gboolean run_to_end(TinkerSimulation *simulation, TinkerSampleFunc sample, void *data, GError **error)
 {
     for (gint64 i = 0; i < simulation->all->times.count; i++) {
         double t = tinker_sample_times_at(&simulation->all->times, i);
-        if (!tinker_island_runs_advance(simulation->all, t, error)) return FALSE;
+        if (!advance(simulation, t, error)) return FALSE;
         look_for_overlap(simulation, t);
         if (tinker_island_runs_sample(simulation->all, t) != TINKER_OK)
             return tinker_island_run_fail(g_ptr_array_index(simulation->all->runs, 0), simulation->all->model->failure,
@@ -92,12 +105,20 @@ gboolean tinker_simulation_run(TinkerSimulation *simulation, const GArray *colum
     tinker_island_runs_take_columns(simulation->all, columns);
     simulation->watch = tinker_box_watch_new(simulation->all->model);
     if (simulation->all->options.estimate) simulation->estimate = tinker_estimate_new(simulation->all, columns);
+    simulation->data = data;
+    if (simulation->at_events != NULL)
+        simulation->events = tinker_event_values_new(simulation->all, hand_out_event, simulation);
     gboolean done = run_to_end(simulation, sample, data, error);
     if (simulation->estimate != NULL && !tinker_estimate_close(simulation->estimate, done ? error : NULL)) done = FALSE;
     simulation->ended = TRUE;
     simulation->all->summary.wall_s = 1e-6 * (double)(g_get_monotonic_time() - started);
     add_up(simulation);
     return done;
+}
+
+void tinker_simulation_ask_at_events(TinkerSimulation *simulation, TinkerEventsFunc at_events)
+{
+    simulation->at_events = at_events;
 }
 
 double tinker_simulation_error(TinkerSimulation *simulation)

@@ -23,6 +23,16 @@ G_DEFINE_AUTOPTR_CLEANUP_FUNC(TinkerSimulation, tinker_simulation_free)
 typedef gboolean (*TinkerSampleFunc)(TinkerSimulation *simulation, double time, const double *values, void *data,
                                      GError **error);
 
+/* The columns just before and just behind an instant at which the motion or a waveform jumps, or may: bodies touch,
+ * part, begin to slip; a force is switched on. They come before the sample that is not earlier than the instant. FALSE
+ * as of a sample. */
+typedef gboolean (*TinkerEventsFunc)(TinkerSimulation *simulation, double time, const double *before,
+                                     const double *behind, void *data, GError **error);
+
+/* Before the run: asks for the columns at events, too. They change no sample and no step, and are no more than there
+ * are samples and a few hundred. */
+void tinker_simulation_ask_at_events(TinkerSimulation *simulation, TinkerEventsFunc at_events);
+
 /* Runs to the end. `columns` (of TinkerColumn, may be NULL) are evaluated at every sample. On failure
  * (TINKER_MODEL_ERROR_RUN) the message names the block, and the samples up to then have been handed out;
  * summary->valid_until says how far they are to be believed. All functions that were given are called on the caller's

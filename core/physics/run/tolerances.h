@@ -22,6 +22,8 @@
 #define TINKER_UNPREDICTABLE 0.1
 /* No unit; of the scales: a support whose place or speed changes by less at a break lets no rod feel a jump. */
 #define TINKER_JUMP 1e-9
+/* No unit; of a column: it is smooth at a break at which it changes by less. */
+#define TINKER_SMOOTH 1e-9
 /* No unit; of the time at which a pole lies: an adaptive method comes nearer to it. */
 #define TINKER_NEAR_POLE 1e-6
 /* No unit; of a path's length: the tolerance that it is worked out with, far below what any method is asked for. */

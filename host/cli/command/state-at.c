@@ -44,7 +44,7 @@ TinkerModelState *tinker_state_at(const TinkerOpenScene *open, const TinkerRunAr
     options.at_count = 1;
     options.estimate = options.accuracy > 0;
     g_autoptr(GArray) columns = tinker_model_state_columns(open->scene);
-    const TinkerSampleTaker taker = {take_state, NULL, &job};
+    const TinkerSampleTaker taker = {.sample = take_state, .begin_again = NULL, .data = &job};
     if (!tinker_scene_run_prepare(&job.run, open->scene, arguments, &options, error) ||
         !tinker_scene_run_go(&job.run, columns, &taker, error))
         return NULL;

@@ -227,6 +227,18 @@ gboolean tinker_chart_sample(TinkerChart *chart, double time, const double *valu
     return tinker_record_append(chart->record, row, error);
 }
 
+gboolean tinker_chart_at_event(TinkerChart *chart, double time, const double *before, const double *behind,
+                               GError **error)
+{
+    const guint columns = chart->columns->len;
+    g_autofree double *last = g_new0(double, tinker_chart_width(chart));
+    const gsize rows = tinker_record_rows(chart->record);
+    if (!tinker_record_read(chart->record, rows - 1, 1, last, error)) return FALSE;
+    const double *bands = chart->has_bands ? last + 1 + columns : NULL;
+    return tinker_chart_sample(chart, time, before, bands, error) &&
+           tinker_chart_sample(chart, time, behind, bands, error);
+}
+
 void tinker_chart_cut(TinkerChart *chart, double time)
 {
     if (chart->record == NULL) return;

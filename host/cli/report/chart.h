@@ -68,6 +68,11 @@ gboolean tinker_chart_add_graphs_of_scene(TinkerChart *chart, const char *path, 
 gboolean tinker_chart_sample(TinkerChart *chart, double time, const double *values, const double *bands,
                              GError **error);
 
+/* Takes all columns just before and just behind an event that comes after a sample, as a TinkerEventsFunc hands them
+ * out: two rows at one time, as far off as that sample may be. Spectra and CSV are of samples alone. */
+gboolean tinker_chart_at_event(TinkerChart *chart, double time, const double *before, const double *behind,
+                               GError **error);
+
 /* Forgets the samples later than `time`: what a failed run is not to be believed in. */
 void tinker_chart_cut(TinkerChart *chart, double time);
 

@@ -116,7 +116,8 @@ static TinkerMotionFilm *run_motion(const AnimateOptions *options, const TinkerO
     if (!tinker_scene_run_prepare(&run, open->scene, &options->run, &run_options, error)) return NULL;
     tinker_motion_film_begin(motion, run.model, duration);
     if (options->graphs) tinker_motion_film_show_graphs(motion, NULL);
-    const TinkerSampleTaker taker = {tinker_motion_film_sample, tinker_motion_film_begin_again, motion};
+    const TinkerSampleTaker taker = {
+        .sample = tinker_motion_film_sample, .begin_again = tinker_motion_film_begin_again, .data = motion};
     (void)tinker_scene_run_go(&run, tinker_motion_film_columns(motion), &taker, failure);
     tinker_scene_run_report_warnings(&run, open, &options->run);
     if (*failure == NULL) tinker_scene_run_report_end(&run, open->name);

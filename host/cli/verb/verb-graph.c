@@ -146,9 +146,21 @@ static gboolean take_sample(TinkerSimulation *simulation, double time, const dou
     return tinker_chart_sample(data, time, values, tinker_simulation_bands(simulation), error);
 }
 
+static gboolean take_event(TinkerSimulation *simulation, double time, const double *before, const double *behind,
+                           void *data, GError **error)
+{
+    return tinker_chart_at_event(data, time, before, behind, error);
+}
+
 static void begin_again(void *chart)
 {
     tinker_chart_cut(chart, -INFINITY);
+}
+
+/* What is drawn or measured has its jumps where they are. */
+static TinkerSampleTaker taker_of(TinkerChart *chart, gboolean at_events)
+{
+    return (TinkerSampleTaker){take_sample, begin_again, at_events ? take_event : NULL, chart};
 }
 
 #define MOST_OTHERS 8
@@ -172,9 +184,10 @@ static void free_open_scene(gpointer open)
     g_free(open);
 }
 
-/* The chart of another scene, with curves and options as those of the first. */
-static TinkerChart *chart_of_scene(const GraphOptions *options, TinkerOpenScene *other, TinkerScene *scene,
-                                   char **names, GError **error)
+/* The chart of another scene, with curves and options as those of the first; of samples alone where it is written as
+ * CSV. */
+static TinkerChart *chart_of_scene(const GraphOptions *options, gboolean csv, TinkerOpenScene *other,
+                                   TinkerScene *scene, char **names, GError **error)
 {
     TinkerRunOptions run_options;
     g_auto(TinkerSceneRun) run = {0};
@@ -183,7 +196,7 @@ static TinkerChart *chart_of_scene(const GraphOptions *options, TinkerOpenScene 
     if (!tinker_run_arguments_apply(&options->run, other->scene, &run_options, error)) return NULL;
     if (!tinker_scene_run_until(&run, other->scene, &options->run, NULL, &run_options, error)) return NULL;
     if (!tinker_scene_run_prepare(&run, other->scene, &options->run, &run_options, error)) return NULL;
-    const TinkerSampleTaker taker = {take_sample, begin_again, chart};
+    const TinkerSampleTaker taker = taker_of(chart, !csv);
     if (!tinker_scene_run_go(&run, chart->columns, &taker, error)) return NULL;
     tinker_scene_run_report_end(&run, other->name);
     chart->run = tinker_scene_changes(scene, other->scene);
@@ -191,8 +204,8 @@ static TinkerChart *chart_of_scene(const GraphOptions *options, TinkerOpenScene 
 }
 
 /* The runs of --with, in the chart of this one. `scenes` keeps theirs. */
-static gboolean add_others(TinkerChart *chart, const GraphOptions *options, const TinkerOpenScene *open, char **names,
-                           GPtrArray *scenes, GError **error)
+static gboolean add_others(TinkerChart *chart, const GraphOptions *options, gboolean csv, const TinkerOpenScene *open,
+                           char **names, GPtrArray *scenes, GError **error)
 {
     if (options->with == NULL) return TRUE;
     if (names[0] == NULL || g_strv_length(options->with) > MOST_OTHERS) {
@@ -213,7 +226,7 @@ static gboolean add_others(TinkerChart *chart, const GraphOptions *options, cons
                 g_set_error(error, TINKER_CLI_ERROR, TINKER_CLI_ERROR_USAGE, "--with: %s cannot be opened", *path);
                 return FALSE;
             }
-            other = chart_of_scene(options, scene, open->scene, names, error);
+            other = chart_of_scene(options, csv, scene, open->scene, names, error);
             if (other == NULL) g_prefix_error(error, "--with: %s: ", *path);
         }
         if (other == NULL) return FALSE;
@@ -269,7 +282,7 @@ static gboolean statistics(const GraphOptions *options, const TinkerOpenScene *o
     if (!read_interval(options, &from, &to, error)) return FALSE;
     run_options.bands = TRUE;
     if (!tinker_scene_run_prepare(&run, open->scene, &options->run, &run_options, error)) return FALSE;
-    const TinkerSampleTaker taker = {take_sample, begin_again, chart};
+    const TinkerSampleTaker taker = taker_of(chart, TRUE);
     if (!tinker_scene_run_go(&run, chart->columns, &taker, failure))
         tinker_chart_cut(chart, tinker_simulation_summary(run.simulation)->valid_until);
     tinker_scene_run_report_warnings(&run, open, &options->run);
@@ -304,9 +317,9 @@ static gboolean graph(const GraphOptions *options, const TinkerOpenScene *open, 
     if (!is_spectrum && (options->from != NULL || options->to != NULL))
         tinker_report_warning("--from and --to have no effect without --spectrum or --statistics");
     run_options.bands = !form.csv && !is_spectrum && options->with == NULL;
-    if (!add_others(chart, options, open, names, scenes, error)) return FALSE;
+    if (!add_others(chart, options, form.csv, open, names, scenes, error)) return FALSE;
     if (!tinker_scene_run_prepare(&run, open->scene, &options->run, &run_options, error)) return FALSE;
-    const TinkerSampleTaker taker = {take_sample, begin_again, chart};
+    const TinkerSampleTaker taker = taker_of(chart, !form.csv && !is_spectrum);
     (void)tinker_scene_run_go(&run, chart->columns, &taker, failure);
     if (*failure != NULL) tinker_chart_cut(chart, tinker_simulation_summary(run.simulation)->valid_until);
     tinker_scene_run_report_warnings(&run, open, &options->run);

@@ -158,7 +158,7 @@ static int run(const RunOptions *options, const TinkerCommandLine *line)
     if (!prepare(&job, options, &open, &error)) return tinker_open_scene_report_error(&open, error);
     warn_without_record(options);
     const GArray *columns = options->csv != NULL ? job.columns : NULL;
-    const TinkerSampleTaker taker = {write_sample, begin_again, &job};
+    const TinkerSampleTaker taker = {.sample = write_sample, .begin_again = begin_again, .data = &job};
     if (options->csv != NULL && job.options.accuracy > 0) tinker_csv_record_hold(&job.csv);
     (void)tinker_scene_run_go(&job.run, columns, &taker, &failure);
     if (!write_results(&job, options, &open, failure, &error) && failure == NULL)

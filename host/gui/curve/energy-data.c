@@ -105,6 +105,7 @@ guint64 tinker_energy_data_update(TinkerEnergyData *data)
     gsize count = G_MAXSIZE;
     for (int i = 0; i < QUANTITIES; i++) {
         const TinkerQuantity of = {TINKER_NO_BLOCK, quantities[i]};
+        data->cursors[i].at_events = TRUE;
         tinker_player_series(data->player, of, &data->cursors[i], data->times[i], data->values[i]);
         count = MIN(count, data->values[i]->len);
     }

@@ -12,6 +12,7 @@ typedef struct {
     const TinkerGraphSeries *series;
     gboolean is_x;
     const char *run; /* NULL: the present one */
+    gsize next;      /* point that is written next: samples alone are */
 } Column;
 
 /* (transfer full) */
@@ -20,7 +21,7 @@ static GArray *columns_of(const TinkerGraphData *data)
     GArray *columns = g_array_new(FALSE, FALSE, sizeof(Column));
     for (guint i = 0; i < tinker_graph_data_curves(data); i++) {
         const TinkerGraphSeries *series = tinker_graph_data_curve(data, i);
-        const Column x = {series, TRUE, NULL}, y = {series, FALSE, tinker_graph_data_run(data, i)};
+        const Column x = {series, TRUE, NULL, 0}, y = {series, FALSE, tinker_graph_data_run(data, i), 0};
         const gboolean own_times = tinker_graph_series_is_table(series) || !tinker_graph_data_is_over_time(data) ||
                                    tinker_graph_data_begins_run(data, i);
         if (i == 0 || own_times) g_array_append_val(columns, x);
@@ -46,26 +47,37 @@ static void write_heading(TinkerCsvWriter *writer, const TinkerGraphData *data, 
     tinker_csv_text(writer, name);
 }
 
+static gboolean any_left(const GArray *columns)
+{
+    for (guint k = 0; k < columns->len; k++) {
+        const Column *column = &g_array_index(columns, Column, k);
+        if (tinker_graph_series_sample_from(column->series, column->next) < tinker_graph_series_count(column->series))
+            return TRUE;
+    }
+    return FALSE;
+}
+
+static void write_cell(TinkerCsvWriter *writer, Column *column)
+{
+    const gsize point = tinker_graph_series_sample_from(column->series, column->next);
+    if (point >= tinker_graph_series_count(column->series))
+        tinker_csv_text(writer, "");
+    else
+        tinker_csv_number(writer, column->is_x ? tinker_graph_series_x(column->series)[point]
+                                               : tinker_graph_series_y(column->series)[point]);
+    column->next = point + 1;
+}
+
 static void write_rows(const TinkerGraphData *data, TinkerCsvWriter *writer)
 {
     const gboolean several = tinker_graph_data_own_curves(data) > 1;
     g_autoptr(GArray) columns = columns_of(data);
-    gsize rows = 0;
-    for (guint k = 0; k < columns->len; k++) {
-        const Column *column = &g_array_index(columns, Column, k);
-        write_heading(writer, data, column, several);
-        rows = MAX(rows, tinker_graph_series_count(column->series));
-    }
+    for (guint k = 0; k < columns->len; k++)
+        write_heading(writer, data, &g_array_index(columns, Column, k), several);
     tinker_csv_end_row(writer);
-    for (gsize i = 0; i < rows; i++) {
-        for (guint k = 0; k < columns->len; k++) {
-            const Column *column = &g_array_index(columns, Column, k);
-            if (i >= tinker_graph_series_count(column->series))
-                tinker_csv_text(writer, "");
-            else
-                tinker_csv_number(writer, column->is_x ? tinker_graph_series_x(column->series)[i]
-                                                       : tinker_graph_series_y(column->series)[i]);
-        }
+    while (any_left(columns)) {
+        for (guint k = 0; k < columns->len; k++)
+            write_cell(writer, &g_array_index(columns, Column, k));
         tinker_csv_end_row(writer);
     }
 }

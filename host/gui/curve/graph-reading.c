@@ -4,6 +4,7 @@
 
 #include <glib/gi18n.h>
 #include <math.h>
+#include <string.h>
 
 #include "gui/curve/graph-data.h"
 #include "measure/curve-pieces.h"
@@ -46,6 +47,7 @@ static void find_turn(const TinkerCurveSamples *samples, gsize point, double sid
     place[0] = samples->times[point];
     place[1] = samples->values[point];
     for (gsize i = point - 1; i <= point; i++) {
+        if (!(samples->times[i] < samples->times[i + 1])) continue; /* a jump */
         TinkerCurvePiece pieces[2];
         const guint count = tinker_curve_pieces(samples, i, pieces);
         for (guint k = 0; k < count; k++) {
@@ -62,18 +64,30 @@ static void find_turn(const TinkerCurveSamples *samples, gsize point, double sid
     }
 }
 
+/* Which side of a jump a point is on: -1 before it, 1 behind it; 0 of all others. */
+static int side_of_jump(const double *x, gsize count, gsize point)
+{
+    if (point + 1 < count && x[point] == x[point + 1]) return -1;
+    return point > 0 && x[point] == x[point - 1] ? 1 : 0;
+}
+
+/* What is before a jump is read at a time just before it: at its own the curve has what is behind it. */
 static gboolean extremum_about(const double *x, const double *y, gsize count, gsize point, TinkerGraphReading *reading)
 {
     if (point == 0 || point + 1 >= count) return FALSE;
     const double *at = x + point - 1, *values = y + point - 1;
     const gboolean highest = values[1] > values[0] && values[1] >= values[2],
                    lowest = values[1] < values[0] && values[1] <= values[2];
-    if (!(highest || lowest) || !(at[0] < at[1]) || !(at[1] < at[2])) return FALSE;
+    if (!(highest || lowest)) return FALSE;
     const TinkerCurveSamples samples = {x, y, count};
     if (count >= TINKER_CURVE_LEAST)
         find_turn(&samples, point, highest ? 1 : -1, reading->at);
-    else
+    else if (at[0] < at[1] && at[1] < at[2])
         find_vertex(at, values, reading->at);
+    else
+        memcpy(reading->at, (const double[]){at[1], values[1]}, sizeof reading->at);
+    if (side_of_jump(x, count, point) < 0 && reading->at[0] == x[point])
+        reading->at[0] = nextafter(x[point], -INFINITY);
     reading->kind = highest ? TINKER_READING_MAXIMUM : TINKER_READING_MINIMUM;
     return TRUE;
 }
@@ -189,14 +203,16 @@ gboolean tinker_graph_reading_extremum_at(const TinkerGraphSeries *series, doubl
     const gsize count = tinker_graph_series_count(series);
     if (!can_read(series) || count == 0) return FALSE;
     const gsize next = tinker_curve_first_from(x, count, time);
-    for (gsize point = next > 0 ? next - 1 : 0; point < count && point <= next; point++) {
+    double nearest = SAME_TIME * fmax(1, fabs(time));
+    gboolean any = FALSE;
+    for (gsize point = next > 1 ? next - 2 : 0; point < count && point <= next + 1; point++) {
         TinkerGraphReading tried = {.point = point};
-        if (!extremum_about(x, y, count, point, &tried)) continue;
-        if (fabs(tried.at[0] - time) > SAME_TIME * fmax(1, fabs(time))) continue;
+        if (!extremum_about(x, y, count, point, &tried) || !(fabs(tried.at[0] - time) <= nearest)) continue;
+        nearest = fabs(tried.at[0] - time);
         *reading = tried;
-        return TRUE;
+        any = TRUE;
     }
-    return FALSE;
+    return any;
 }
 
 gboolean tinker_graph_reading_next(const TinkerGraphSeries *series, double time, gboolean forward,
@@ -207,7 +223,8 @@ gboolean tinker_graph_reading_next(const TinkerGraphSeries *series, double time,
     const TinkerGraphReading as = *reading;
     double nearest = INFINITY;
     if (!can_read(series) || count == 0) return FALSE;
-    gsize i = tinker_curve_first_from(tinker_graph_series_x(series), count, time);
+    const double *x = tinker_graph_series_x(series);
+    gsize i = tinker_curve_first_from(x, count, time);
     i = forward ? (i > 1 ? i - 2 : 0) : MIN(i + 1, count - 1);
     for (; i < count; i = forward ? i + 1 : i - 1) {
         const gboolean is_known = isfinite(nearest);
@@ -215,7 +232,8 @@ gboolean tinker_graph_reading_next(const TinkerGraphSeries *series, double time,
         const guint readings = readings_about(series, i, &as, found);
         for (guint k = 0; k < readings; k++) {
             const double away = way * (found[k].at[0] - time);
-            if (!(away > near) || !(away < nearest)) continue;
+            const gboolean at_jump = side_of_jump(x, count, found[k].point) != 0;
+            if (!(away > (at_jump ? 0 : near)) || !(away < nearest)) continue;
             nearest = away;
             *reading = found[k];
         }
@@ -229,7 +247,10 @@ gboolean tinker_graph_reading_at(const TinkerGraphSeries *series, double x, Tink
     const double *xs = tinker_graph_series_x(series), *ys = tinker_graph_series_y(series);
     const gsize count = tinker_graph_series_count(series);
     if (!can_read(series) || count == 0 || x < xs[0] || x > xs[count - 1]) return FALSE;
-    const gsize next = MAX(tinker_curve_first_from(xs, count, x), 1), before = next - 1;
+    gsize next = tinker_curve_first_from(xs, count, x);
+    while (next < count && xs[next] == x) /* at the instant of a jump the state after it counts */
+        next++;
+    const gsize before = MAX(next, 1) - 1;
     const double span = next < count ? xs[next] - xs[before] : 0, share = span > 0 ? (x - xs[before]) / span : 0;
     reading->point = before;
     reading->kind = TINKER_READING_POINT;

@@ -30,6 +30,7 @@ static const double *numbers(const GArray *array)
 static void add_source(TinkerGraphSeries *series, TinkerBlockId block, int32_t quantity)
 {
     const GraphSource source = {.of = {block, quantity},
+                                .cursor = {.at_events = !series->is_spectrum},
                                 .times = g_array_new(FALSE, FALSE, sizeof(double)),
                                 .values = g_array_new(FALSE, FALSE, sizeof(double))};
     g_array_append_val(series->sources, source);
@@ -225,7 +226,7 @@ void tinker_graph_series_forget(TinkerGraphSeries *series)
         GraphSource *source = &g_array_index(series->sources, GraphSource, i);
         g_array_set_size(source->times, 0);
         g_array_set_size(source->values, 0);
-        source->cursor = (TinkerSeriesCursor){0};
+        source->cursor = (TinkerSeriesCursor){.at_events = source->cursor.at_events};
     }
     tinker_curve_index_clear(series->index);
     series->transformed = 0;
@@ -313,6 +314,16 @@ const double *tinker_graph_series_y(const TinkerGraphSeries *series)
 const TinkerCurveIndex *tinker_graph_series_index(const TinkerGraphSeries *series)
 {
     return series->over_time ? series->index : NULL;
+}
+
+/* Events have two points at one time, and a sample at that time comes behind them. */
+gsize tinker_graph_series_sample_from(const TinkerGraphSeries *series, gsize point)
+{
+    const double *times = numbers(series->times);
+    if (series->is_table || series->is_spectrum) return point;
+    while (point + 1 < series->times->len && times[point] == times[point + 1])
+        point += 2;
+    return point;
 }
 
 gboolean tinker_graph_series_find(const TinkerGraphSeries *series, double time, gsize *point)

@@ -43,12 +43,15 @@ typedef gboolean (*TinkerBandReader)(gpointer source, TinkerQuantity quantity, d
 gboolean tinker_graph_series_run_error(const TinkerGraphSeries *series, TinkerSeriesReader read, TinkerBandReader band,
                                        gpointer source, double from, double to, double *error);
 
-/* Points, and they themselves; the times are in s, and of a spectrum those of the samples. Borrowed until the next
- * update. */
+/* Points, and they themselves; the times are in s, and of a spectrum those of the samples. At an event there are two at
+ * one time: just before it and just behind it. Borrowed until the next update. */
 gsize tinker_graph_series_count(const TinkerGraphSeries *series);
 const double *tinker_graph_series_times(const TinkerGraphSeries *series);
 const double *tinker_graph_series_x(const TinkerGraphSeries *series);
 const double *tinker_graph_series_y(const TinkerGraphSeries *series);
+/* The first point from one on, which is the first of its time, that is a sample and not at an event; a point that is
+ * not there where there is none. */
+gsize tinker_graph_series_sample_from(const TinkerGraphSeries *series, gsize point);
 /* Of the points where x is the time or the frequency; else NULL. */
 const TinkerCurveIndex *tinker_graph_series_index(const TinkerGraphSeries *series);
 

@@ -165,13 +165,14 @@ gboolean tinker_recording_place(const TinkerRecording *recording, TinkerFrame *f
 gboolean tinker_recording_series(const TinkerRecording *recording, TinkerQuantity quantity, TinkerSeriesCursor *cursor,
                                  GArray *times, GArray *values)
 {
-    for (; cursor->segment < recording->segments->len; cursor->segment++, cursor->row = 0) {
+    for (; cursor->segment < recording->segments->len; cursor->segment++, cursor->row = cursor->event = 0) {
         TinkerRunTask *task = segment_of(recording, cursor->segment)->task;
         const int column = tinker_run_task_column(task, quantity);
         cursor->behind = FALSE;
         if (column < 0) return FALSE;
         const double end = tinker_recording_end(recording, cursor->segment);
-        cursor->behind = !tinker_run_task_series(task, column, &cursor->row, nextafter(end, 0), times, values);
+        gsize *event = cursor->at_events ? &cursor->event : NULL;
+        cursor->behind = !tinker_run_task_series(task, column, &cursor->row, event, nextafter(end, 0), times, values);
         if (isinf(end) || cursor->behind) break;
     }
     return TRUE;

@@ -61,7 +61,10 @@ gboolean tinker_recording_place(const TinkerRecording *recording, TinkerFrame *f
 typedef struct {
     guint segment;
     gsize row;
-    gboolean behind; /* there is more at once */
+    gsize event;
+    gboolean at_events; /* set by who reads: each event between two samples is handed out, too, twice at its time: just
+                         * before it and just behind it */
+    gboolean behind;    /* there is more at once */
 } TinkerSeriesCursor;
 gboolean tinker_recording_series(const TinkerRecording *recording, TinkerQuantity quantity, TinkerSeriesCursor *cursor,
                                  GArray *times, GArray *values);

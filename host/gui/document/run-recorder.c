@@ -119,11 +119,11 @@ static void note_estimate(TinkerRunTask *task, TinkerSimulation *simulation, gbo
     g_mutex_unlock(&task->mutex);
 }
 
-static gboolean take_next(TinkerRunTask *task, double time, GError **error)
+static gboolean append_row(RunTaskRows *rows, const double *row, GError **error)
 {
-    if (!tinker_record_append(task->next_record, task->row, error)) return FALSE;
-    g_array_append_val(task->next_times, time);
-    return !is_cancelled(task);
+    if (!tinker_record_append(rows->record, row, error)) return FALSE;
+    g_array_append_val(rows->times, row[0]);
+    return TRUE;
 }
 
 static gboolean take_sample(TinkerSimulation *simulation, double time, const double *values, void *data, GError **error)
@@ -131,24 +131,40 @@ static gboolean take_sample(TinkerSimulation *simulation, double time, const dou
     TinkerRunTask *task = data;
     time += task->start;
     fill_row(task, simulation, time, values);
-    if (task->next_record != NULL) return take_next(task, time, error);
-    if (!tinker_record_append(task->record, task->row, error)) return FALSE;
+    if (task->next.samples.record != NULL)
+        return append_row(&task->next.samples, task->row, error) && !is_cancelled(task);
+    if (!tinker_record_append(task->record.samples.record, task->row, error)) return FALSE;
     g_mutex_lock(&task->mutex);
-    g_array_append_val(task->times, time);
+    g_array_append_val(task->record.samples.times, time);
     task->status.reached = time;
-    task->status.rows = task->times->len;
+    task->status.rows = task->record.samples.times->len;
     g_mutex_unlock(&task->mutex);
     note_rate(task, simulation, time);
     return !is_cancelled(task);
 }
 
+/* The columns on both sides of an event, which comes before the next sample. */
+static gboolean take_event(G_GNUC_UNUSED TinkerSimulation *simulation, double time, const double *before,
+                           const double *behind, void *data, GError **error)
+{
+    TinkerRunTask *task = data;
+    const gsize columns = task->columns->len;
+    task->event_row[0] = task->start + time;
+    memcpy(task->event_row + 1, before, columns * sizeof(double));
+    memcpy(task->event_row + 1 + columns, behind, columns * sizeof(double));
+    if (task->next.events.record != NULL) return append_row(&task->next.events, task->event_row, error);
+    if (!tinker_record_append(task->record.events.record, task->event_row, error)) return FALSE;
+    g_mutex_lock(&task->mutex);
+    g_array_append_val(task->record.events.times, task->event_row[0]);
+    g_mutex_unlock(&task->mutex);
+    return TRUE;
+}
+
 static void begin_again(void *data)
 {
     TinkerRunTask *task = data;
-    g_clear_pointer(&task->next_record, tinker_record_free);
-    g_clear_pointer(&task->next_times, g_array_unref);
-    task->next_record = tinker_record_new(run_task_row_width(task), RUN_TASK_IN_MEMORY);
-    task->next_times = g_array_new(FALSE, FALSE, sizeof(double));
+    run_task_record_clear(&task->next);
+    run_task_record_init(task, &task->next);
     g_mutex_lock(&task->mutex);
     task->next_bands = task->start;
     g_array_set_size(task->bands, 0);
@@ -159,15 +175,13 @@ static void begin_again(void *data)
  * Called with the mutex held. */
 static void show_next(TinkerRunTask *task)
 {
-    if (task->next_record == NULL || task->next_times->len == 0 || is_cancelled(task)) return;
-    TinkerRecord *record = task->record;
-    GArray *times = task->times;
-    task->record = task->next_record;
-    task->times = task->next_times;
-    task->next_record = record;
-    task->next_times = times;
-    task->status.rows = task->times->len;
-    task->status.reached = g_array_index(task->times, double, task->times->len - 1);
+    if (task->next.samples.record == NULL || task->next.samples.times->len == 0 || is_cancelled(task)) return;
+    const RunTaskRecord last = task->record;
+    task->record = task->next;
+    task->next = last;
+    const GArray *times = task->record.samples.times;
+    task->status.rows = times->len;
+    task->status.reached = g_array_index(times, double, times->len - 1);
     task->status.replaced++;
     g_ptr_array_set_size(task->events, 0);
 }
@@ -244,7 +258,7 @@ static gboolean run_scene(TinkerRunTask *task, GError **error)
     if (!end_at_condition(task, model, &options, error)) return FALSE;
     g_autoptr(TinkerSimulation) simulation = tinker_simulation_new(model, &options, error);
     if (simulation == NULL) return FALSE;
-    const TinkerSampleTaker taker = {take_sample, begin_again, task};
+    const TinkerSampleTaker taker = {take_sample, begin_again, take_event, task};
     GError *failure = NULL;
     gboolean done = tinker_accurate_run(&simulation, task->columns, &taker, &failure);
     note_summary(task, simulation);
@@ -261,20 +275,29 @@ static gboolean run_scene(TinkerRunTask *task, GError **error)
     return done;
 }
 
+static void cut_rows(RunTaskRows *rows, double until, gsize least)
+{
+    gsize count = rows->times->len;
+    while (count > least && g_array_index(rows->times, double, count - 1) > until)
+        count--;
+    if (count == rows->times->len) return;
+    g_array_set_size(rows->times, (guint)count);
+    tinker_record_cut(rows->record, count);
+}
+
 /* What a failed run is not to be believed in is forgotten. Called with the mutex held. */
 static void forget_invalid(TinkerRunTask *task)
 {
-    gsize rows = task->times->len;
-    while (rows > 1 && g_array_index(task->times, double, rows - 1) > task->status.valid_until)
-        rows--;
+    const double until = task->status.valid_until;
+    GArray *times = task->record.samples.times;
     for (guint i = task->events->len; i-- > 0;)
-        if (((TinkerRunEvent *)g_ptr_array_index(task->events, i))->time > task->status.valid_until)
+        if (((TinkerRunEvent *)g_ptr_array_index(task->events, i))->time > until)
             g_ptr_array_remove_index(task->events, i);
-    if (rows == task->times->len) return;
-    g_array_set_size(task->times, (guint)rows);
-    tinker_record_cut(task->record, rows);
-    task->status.rows = rows;
-    task->status.reached = g_array_index(task->times, double, rows - 1);
+    cut_rows(&task->record.samples, until, 1);
+    cut_rows(&task->record.events, until, 0);
+    if (times->len == task->status.rows) return;
+    task->status.rows = times->len;
+    task->status.reached = g_array_index(times, double, times->len - 1);
 }
 
 /* There is nothing more to come: the thread, or who would have had one, lets go. */
@@ -294,6 +317,7 @@ static void work(void *item)
     tinker_crash_watch_thread();
     GError *error = NULL;
     task->row = g_new0(double, run_task_row_width(task));
+    task->event_row = g_new0(double, run_task_event_width(task));
     task->rate_began = g_get_monotonic_time();
     task->rate_from = task->next_bands = task->start;
     if (!run_scene(task, &error) && is_cancelled(task)) g_clear_error(&error);

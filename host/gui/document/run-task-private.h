@@ -11,6 +11,18 @@
 #define RUN_TASK_STATE     6                  /* doubles of a body in a row: x, y, vx, vy, orientation, rate */
 #define RUN_TASK_IN_MEMORY ((gsize)256 << 20) /* bytes of a record; beyond, a temporary file */
 
+/* Rows that the thread appends and others read. */
+typedef struct {
+    TinkerRecord *record; /* which guards itself: the pointer alone is meant */
+    GArray *times;        /* of double, one a row that may be read */
+} RunTaskRows;
+
+/* What a run recorded: its samples, and the columns at events, of which a row is the time, the columns just before it,
+ * and those just behind it. */
+typedef struct {
+    RunTaskRows samples, events;
+} RunTaskRecord;
+
 struct _TinkerRunTask {
     gatomicrefcount references;
     TinkerScene *scene;
@@ -21,9 +33,8 @@ struct _TinkerRunTask {
     gint cancelled;  /* atomic */
     gboolean estimate;
 
-    GMutex mutex;         /* of what follows */
-    TinkerRecord *record; /* which guards itself: the pointer alone is meant */
-    GArray *times;        /* of double, one a row that may be read */
+    GMutex mutex; /* of what follows */
+    RunTaskRecord record;
     TinkerRunStatus status;
     GError *error;
     GPtrArray *warnings, *of_scene;
@@ -32,8 +43,8 @@ struct _TinkerRunTask {
 
     /* The thread's own. */
     double *row;
-    TinkerRecord *next_record; /* of a further try, until it is over; NULL in the first */
-    GArray *next_times;
+    double *event_row;
+    RunTaskRecord next; /* of a further try, until it is over; empty in the first */
     TinkerUntil *until;
     int stopped_by;    /* number of that condition; -1 */
     gint64 rate_began; /* us */
@@ -46,6 +57,13 @@ TinkerRunEvent *run_task_event_new(double time, const char *text);
 
 /* Doubles in a row: the time, the bodies, the lengths, the columns. */
 gsize run_task_row_width(const TinkerRunTask *task);
+
+/* Empty, for the rows of this task; and freed, unless it is empty already. */
+void run_task_record_init(const TinkerRunTask *task, RunTaskRecord *record);
+void run_task_record_clear(RunTaskRecord *record);
+
+/* Of a row of the columns at an event, too. */
+gsize run_task_event_width(const TinkerRunTask *task);
 
 /* Of char *. */
 void run_task_add_copies(GPtrArray *to, const GPtrArray *from);

@@ -34,24 +34,45 @@ void tinker_run_task_unref(TinkerRunTask *task)
     g_array_unref(task->columns);
     g_array_unref(task->bodies);
     g_array_unref(task->wound);
-    g_array_unref(task->times);
     g_clear_error(&task->error);
     g_ptr_array_unref(task->warnings);
     g_ptr_array_unref(task->of_scene);
     g_ptr_array_unref(task->events);
     g_array_unref(task->bands);
-    tinker_record_free(task->record);
+    run_task_record_clear(&task->record);
     g_mutex_clear(&task->mutex);
-    g_clear_pointer(&task->next_record, tinker_record_free);
-    g_clear_pointer(&task->next_times, g_array_unref);
+    run_task_record_clear(&task->next);
     g_clear_pointer(&task->until, tinker_until_free);
     g_free(task->row);
+    g_free(task->event_row);
     g_free(task);
 }
 
 gsize run_task_row_width(const TinkerRunTask *task)
 {
     return 1 + RUN_TASK_STATE * (gsize)task->bodies->len + task->wound->len + task->columns->len;
+}
+
+gsize run_task_event_width(const TinkerRunTask *task)
+{
+    return 1 + 2 * (gsize)task->columns->len;
+}
+
+void run_task_record_init(const TinkerRunTask *task, RunTaskRecord *record)
+{
+    record->samples.record = tinker_record_new(run_task_row_width(task), RUN_TASK_IN_MEMORY);
+    record->events.record = tinker_record_new(run_task_event_width(task), RUN_TASK_IN_MEMORY);
+    record->samples.times = g_array_new(FALSE, FALSE, sizeof(double));
+    record->events.times = g_array_new(FALSE, FALSE, sizeof(double));
+}
+
+void run_task_record_clear(RunTaskRecord *record)
+{
+    RunTaskRows *all[] = {&record->samples, &record->events};
+    for (gsize i = 0; i < G_N_ELEMENTS(all); i++) {
+        g_clear_pointer(&all[i]->record, tinker_record_free);
+        g_clear_pointer(&all[i]->times, g_array_unref);
+    }
 }
 
 void run_task_add_copies(GPtrArray *to, const GPtrArray *from)
@@ -89,12 +110,11 @@ TinkerRunTask *tinker_run_task_new(TinkerRunLane *lane, TinkerScene *scene, doub
         tinker_columns_add_quantity(task->columns, scene, quantity->block, quantity->quantity);
     }
     list_blocks(task, scene);
-    task->times = g_array_new(FALSE, FALSE, sizeof(double));
     task->warnings = g_ptr_array_new_with_free_func(g_free);
     task->of_scene = g_ptr_array_new_with_free_func(g_free);
     task->events = g_ptr_array_new_with_free_func((GDestroyNotify)tinker_run_event_free);
     task->bands = g_array_new(FALSE, FALSE, sizeof(double));
-    task->record = tinker_record_new(run_task_row_width(task), RUN_TASK_IN_MEMORY);
+    run_task_record_init(task, &task->record);
     task->status.reached = start;
     task->status.error_estimate = NAN;
     task->status.predictable_until = task->status.valid_until = INFINITY;
@@ -175,7 +195,7 @@ int tinker_run_task_column(TinkerRunTask *task, TinkerQuantity quantity)
 static gboolean read_rows(TinkerRunTask *task, gsize first, gsize count, double *rows)
 {
     g_mutex_lock(&task->mutex);
-    TinkerRecord *record = task->record;
+    TinkerRecord *record = task->record.samples.record;
     gboolean there = first + count <= task->status.rows;
     g_mutex_unlock(&task->mutex);
     return there && tinker_record_read(record, first, count, rows, NULL);
@@ -193,16 +213,61 @@ gboolean tinker_run_task_read(TinkerRunTask *task, gsize row, double *time, Tink
     return TRUE;
 }
 
+/* How many of these times are not later than this one. */
+static gsize count_until(const GArray *times, double time)
+{
+    gsize low = 0, high = times->len;
+    while (low < high) {
+        const gsize middle = low + (high - low) / 2;
+        if (g_array_index(times, double, middle) <= time)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+/* A column on one side of an event. FALSE where there is no such event, or none that is not later than `until`. */
+static gboolean read_event(TinkerRunTask *task, gsize number, double until, int column, double values[3])
+{
+    const gsize columns = task->columns->len;
+    g_mutex_lock(&task->mutex);
+    TinkerRecord *record = task->record.events.record;
+    const GArray *times = task->record.events.times;
+    const gboolean there = number < times->len && g_array_index(times, double, number) <= until;
+    g_mutex_unlock(&task->mutex);
+    if (!there) return FALSE;
+    g_autofree double *row = g_new(double, run_task_event_width(task));
+    if (!tinker_record_read(record, number, 1, row, NULL)) return FALSE;
+    values[0] = row[0];
+    values[1] = row[1 + column];
+    values[2] = row[1 + columns + (gsize)column];
+    return TRUE;
+}
+
 gboolean tinker_run_task_value(TinkerRunTask *task, gsize row, int column, double time, double *value)
 {
     const gsize width = run_task_row_width(task), place = width - task->columns->len + (gsize)column;
     g_autofree double *numbers = g_new(double, 2 * width);
+    double event[3];
     if (!read_rows(task, row, 1, numbers)) return FALSE;
+    double from = numbers[0], to, next;
     *value = numbers[place];
-    if (!(time > numbers[0]) || !read_rows(task, row + 1, 1, numbers + width) || !(numbers[width] > numbers[0]))
-        return TRUE;
-    const double share = fmin((time - numbers[0]) / (numbers[width] - numbers[0]), 1);
-    *value += share * (numbers[width + place] - *value);
+    if (!(time > from) || !read_rows(task, row + 1, 1, numbers + width)) return TRUE;
+    to = numbers[width];
+    next = numbers[width + place];
+    g_mutex_lock(&task->mutex);
+    const gsize passed = count_until(task->record.events.times, time);
+    g_mutex_unlock(&task->mutex);
+    if (passed > 0 && read_event(task, passed - 1, time, column, event) && event[0] > from) {
+        from = event[0];
+        *value = event[2];
+    }
+    if (read_event(task, passed, to, column, event)) {
+        to = event[0];
+        next = event[1];
+    }
+    if (to > from) *value += fmin((time - from) / (to - from), 1) * (next - *value);
     return TRUE;
 }
 
@@ -222,20 +287,24 @@ gboolean tinker_run_task_band(TinkerRunTask *task, int column, double until, dou
 gboolean tinker_run_task_find(TinkerRunTask *task, double time, gsize *row)
 {
     g_mutex_lock(&task->mutex);
-    gsize low = 0, high = task->times->len;
-    while (low < high) {
-        gsize middle = low + (high - low) / 2;
-        if (g_array_index(task->times, double, middle) <= time)
-            low = middle + 1;
-        else
-            high = middle;
-    }
+    const gsize count = count_until(task->record.samples.times, time);
     g_mutex_unlock(&task->mutex);
-    *row = low - 1;
-    return low > 0;
+    *row = count - 1;
+    return count > 0;
 }
 
-gboolean tinker_run_task_series(TinkerRunTask *task, int column, gsize *next, double until, GArray *times,
+/* Both sides of the events from *event on that are not later than `until`. */
+static void add_events(TinkerRunTask *task, int column, gsize *event, double until, GArray *times, GArray *values)
+{
+    double sides[3];
+    for (; event != NULL && read_event(task, *event, until, column, sides); ++*event) {
+        const double twice[] = {sides[0], sides[0]};
+        g_array_append_vals(times, twice, 2);
+        g_array_append_vals(values, sides + 1, 2);
+    }
+}
+
+gboolean tinker_run_task_series(TinkerRunTask *task, int column, gsize *next, gsize *event, double until, GArray *times,
                                 GArray *values)
 {
     const gsize width = run_task_row_width(task), place = width - task->columns->len + (gsize)column;
@@ -248,10 +317,13 @@ gboolean tinker_run_task_series(TinkerRunTask *task, int column, gsize *next, do
         const gsize count = MIN(end - *next, at_once);
         if (!read_rows(task, *next, count, rows)) break;
         for (gsize i = 0; i < count; i++) {
+            add_events(task, column, event, rows[i * width], times, values);
             g_array_append_val(times, rows[i * width]);
             g_array_append_val(values, rows[i * width + place]);
         }
         *next += count;
     }
+    if (end == last + 1 && tinker_run_task_status(task).reached > until)
+        add_events(task, column, event, until, times, values);
     return end == last + 1;
 }

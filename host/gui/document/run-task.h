@@ -80,8 +80,8 @@ int tinker_run_task_column(TinkerRunTask *task, TinkerQuantity quantity);
 /* Reads one sample: its time, the bodies' states, and (where it is not NULL) how long (m) is what is wound. */
 gboolean tinker_run_task_read(TinkerRunTask *task, gsize row, double *time, TinkerBodySample *bodies, double *lengths);
 
-/* Column of a row, or straight between it and the next one at a time after it, as bodies are placed. FALSE where there
- * is no such row. */
+/* Column of a row, or straight between it and the next one, or an event between them, at a time after it. FALSE where
+ * there is no such row. */
 gboolean tinker_run_task_value(TinkerRunTask *task, gsize row, int column, double time, double *value);
 
 /* How far a column may be off until a time (s), by the companion, in the column's unit: what is known is known of a few
@@ -92,9 +92,10 @@ gboolean tinker_run_task_band(TinkerRunTask *task, int column, double until, dou
 gboolean tinker_run_task_find(TinkerRunTask *task, double time, gsize *row);
 
 /* Appends the column's values, and their times, of the rows from `next` on that are not later than `until`, to arrays
- * of double, and moves `next` behind them. No more than a frame has time for: FALSE where the rest is left for another
- * call. */
-gboolean tinker_run_task_series(TinkerRunTask *task, int column, gsize *next, double until, GArray *times,
+ * of double, and moves `next` behind them; where `event` is not NULL, also of the events from that one on, each twice
+ * at its time, just before it and just behind it. No more than a frame has time for: FALSE where the rest is left for
+ * another call. */
+gboolean tinker_run_task_series(TinkerRunTask *task, int column, gsize *next, gsize *event, double until, GArray *times,
                                 GArray *values);
 
 #endif

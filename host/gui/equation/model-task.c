@@ -74,7 +74,7 @@ static gboolean take_state(TinkerSimulation *simulation, double time, const doub
 static gboolean run_to_time(Job *job, const TinkerRunOptions *options, GError **error)
 {
     g_autoptr(GArray) columns = tinker_model_state_columns(job->result->scene);
-    const TinkerSampleTaker taker = {take_state, NULL, job};
+    const TinkerSampleTaker taker = {.sample = take_state, .begin_again = NULL, .data = job};
     if ((job->model = tinker_model_new(job->result->scene, error)) == NULL) return FALSE;
     g_autoptr(TinkerSimulation) simulation = tinker_simulation_new(job->model, options, error);
     return simulation != NULL && tinker_accurate_run(&simulation, columns, &taker, error);

@@ -111,7 +111,8 @@ static gboolean run_scene(Job *job, TinkerMotionFilm *motion, GError **error)
     if (simulation == NULL) return FALSE;
     tinker_motion_film_begin(motion, model, tinker_options_duration(&options));
     if (job->settings.show_graphs) tinker_motion_film_show_graphs(motion, tinker_translate);
-    const TinkerSampleTaker taker = {tinker_motion_film_sample, tinker_motion_film_begin_again, motion};
+    const TinkerSampleTaker taker = {
+        .sample = tinker_motion_film_sample, .begin_again = tinker_motion_film_begin_again, .data = motion};
     if (tinker_accurate_run(&simulation, tinker_motion_film_columns(motion), &taker, &job->failure)) return TRUE;
     if (g_error_matches(job->failure, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_ACCURACY)) {
         g_clear_error(&job->failure); /* the film is whole, and the window's own run tells what it misses */

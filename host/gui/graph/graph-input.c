@@ -96,8 +96,11 @@ static void put_cursor(TinkerGraphPlot *plot, const TinkerGraphReading *reading)
 void tinker_graph_plot_put_cursor(TinkerGraphPlot *plot)
 {
     TinkerGraphReading reading = {0};
-    if (is_over_time(plot) && tinker_graph_data_curves(plot->data) > 0 &&
-        tinker_graph_reading_at(tinker_graph_data_curve(plot->data, 0), tinker_player_time(plot->player), &reading))
+    const double time = tinker_player_time(plot->player);
+    const TinkerGraphSeries *series =
+        is_over_time(plot) && tinker_graph_data_curves(plot->data) > 0 ? tinker_graph_data_curve(plot->data, 0) : NULL;
+    if (series != NULL &&
+        (tinker_graph_reading_extremum_at(series, time, &reading) || tinker_graph_reading_at(series, time, &reading)))
         put_cursor(plot, &reading);
     else
         gtk_widget_error_bell(GTK_WIDGET(plot));

@@ -135,6 +135,7 @@ static void widen_range(TinkerInstrumentView *view, TinkerQuantity of)
         view->high = -INFINITY;
         view->generation = generation;
     }
+    view->cursor.at_events = TRUE;
     tinker_player_series(view->player, of, &view->cursor, times, values);
     for (guint i = 0; i < values->len; i++) {
         const double value = g_array_index(values, double, i);
