@@ -2,6 +2,7 @@
  * the greatest and the last are kept, in their order. What is left paints the same pixels, and a spike of one sample
  * among millions stays. As only neighbours are merged, this holds for paths in the plane too. */
 #include <math.h>
+#include <string.h>
 
 #include "render/plot/plot-private.h"
 
@@ -296,13 +297,47 @@ static void fill_run(cairo_t *cairo, GArray *run)
     g_array_set_size(run, 0);
 }
 
+/* Of the points of a column of pixels: the first, the last, and how far all of them reach. A jump within one is as
+ * broad as the column, whatever comes before and behind. */
+typedef struct {
+    double number; /* NAN: there is none */
+    double first[3], reach[3], last[3];
+    gboolean several;
+} BandColumn;
+
+static void close_band_column(BandColumn *column, GArray *run)
+{
+    if (isnan(column->number)) return;
+    g_array_append_val(run, column->first);
+    if (column->several) {
+        g_array_append_val(run, column->reach);
+        g_array_append_val(run, column->last);
+    }
+    column->number = NAN;
+}
+
+static void add_to_band(BandColumn *column, GArray *run, double number, const double point[3])
+{
+    if (number != column->number) {
+        close_band_column(column, run);
+        *column = (BandColumn){.number = number};
+        memcpy(column->first, point, sizeof column->first);
+        memcpy(column->reach, point, sizeof column->reach);
+        return;
+    }
+    column->several = TRUE;
+    column->reach[1] = fmin(column->reach[1], point[1]);
+    column->reach[2] = fmax(column->reach[2], point[2]);
+    memcpy(column->last, point, sizeof column->last);
+}
+
 void tinker_plot_draw_band(cairo_t *cairo, const TinkerPlotLayout *layout, const TinkerCurve *curve,
                            double column_width)
 {
     if (!curve->low || !curve->high) return;
     GArray *run = g_array_new(FALSE, FALSE, 3 * sizeof(double));
     const double *c = layout->theme->curves[colour_number(curve)];
-    double column = NAN;
+    BandColumn column = {.number = NAN};
     cairo_new_path(cairo);
     for (gsize i = 0; i < curve->count; i++) {
         double x = tinker_axis_place(&layout->x, curve->x[i]);
@@ -310,19 +345,14 @@ void tinker_plot_draw_band(cairo_t *cairo, const TinkerPlotLayout *layout, const
         double lower = tinker_axis_place(tinker_plot_y_axis(layout, curve), curve->low[i]);
         if (tinker_plot_y_axis(layout, curve)->logarithmic && curve->low[i] <= 0) lower = layout->bottom;
         if (!isfinite(x) || !isfinite(upper) || !isfinite(lower)) {
+            close_band_column(&column, run);
             fill_run(cairo, run);
             continue;
         }
-        if (run->len && floor(x / column_width) == column) {
-            double *last = (double *)(void *)run->data + 3 * (run->len - 1);
-            last[1] = fmin(last[1], upper);
-            last[2] = fmax(last[2], lower);
-            continue;
-        }
-        column = floor(x / column_width);
         const double point[3] = {x, upper, lower};
-        g_array_append_vals(run, point, 1);
+        add_to_band(&column, run, floor(x / column_width), point);
     }
+    close_band_column(&column, run);
     fill_run(cairo, run);
     g_array_unref(run);
     cairo_set_source_rgba(cairo, c[0], c[1], c[2], curve->filled ? c[3] : BAND_ALPHA * c[3]);
