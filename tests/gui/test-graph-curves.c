@@ -195,6 +195,34 @@ static void test_kept_runs(void)
     g_assert_false(tinker_player_keep(fixture->player));
 }
 
+static void assert_kept_name(TinkerKeptRuns *kept, guint place, const char *name)
+{
+    g_assert_cmpstr(tinker_kept_runs_at(kept, place)->name, ==, name);
+}
+
+/* No two runs have one name, though a change is taken back and made again, or one is called as another. */
+static void test_names_of_kept_runs(void)
+{
+    static const double velocities[] = {0, 1, 0, 1};
+    static const char *const names[] = {"Mass 0: Vy 0 m/s", "Mass 0: Vy 1 m/s", "Mass 0: Vy 0 m/s (2)",
+                                        "Mass 0: Vy 1 m/s (2)"};
+    g_autoptr(GuiFixture) fixture = graph_fixture_fall("SI", "{'block': 'Mass 0', 'quantity': 'y'}");
+    TinkerKeptRuns *kept = tinker_player_kept(fixture->player);
+    for (gsize k = 0; k < G_N_ELEMENTS(velocities); k++) {
+        set_velocity(fixture, velocities[k]);
+        graph_fixture_run_until(fixture, 0.5);
+        g_assert_true(tinker_player_keep(fixture->player));
+    }
+    for (guint i = 0; i < G_N_ELEMENTS(names); i++)
+        assert_kept_name(kept, i, names[i]);
+    tinker_kept_runs_rename(kept, 2, "thrown");
+    tinker_kept_runs_rename(kept, 1, "thrown");
+    assert_kept_name(kept, 1, "thrown (2)");
+    tinker_kept_runs_rename(kept, 2, "fallen");
+    tinker_kept_runs_rename(kept, 1, "thrown");
+    assert_kept_name(kept, 1, "thrown");
+}
+
 /* Every layer is an area in its own colour of the theme (which test-theme holds apart from the others, for all eyes),
  * and not in a shade that is mixed with the ground. */
 static void assert_areas(TinkerEnergyData *data, const TinkerTheme *theme, const gboolean has[TINKER_ENERGY_LAYERS])
@@ -278,6 +306,7 @@ static void add_tests(void)
     g_test_add_func("/gui/graph-data/one-quantity-of-several-blocks", test_one_quantity_of_several_blocks);
     g_test_add_func("/gui/graph-data/first-kept-run", test_first_kept_run);
     g_test_add_func("/gui/graph-data/kept-runs", test_kept_runs);
+    g_test_add_func("/gui/graph-data/names-of-kept-runs", test_names_of_kept_runs);
     g_test_add_func("/gui/graph-data/energy", test_energy);
 }
 

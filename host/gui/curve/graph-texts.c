@@ -98,8 +98,9 @@ static void name_line(TinkerGraphData *data, guint number, const GArray *own, co
     g_autofree char *plain = tinker_curve_name(&curve, all, own->len),
                     *short_name = tinker_curve_legend(&curve, all, own->len);
     g_free(line->run_name);
-    line->run_name =
-        line->run != NULL ? tinker_kept_run_name_beside(line->run, tinker_document_scene(data->document)) : NULL;
+    line->run_name = line->run != NULL ? tinker_kept_runs_name_beside(tinker_player_kept(data->player), line->run,
+                                                                      tinker_document_scene(data->document))
+                                       : NULL;
     const gboolean among_runs = data->lines->len > data->own && !tinker_graph_series_is_table(series);
     const char *run = !among_runs ? NULL : line->run != NULL ? line->run_name : now;
     g_free(line->name);

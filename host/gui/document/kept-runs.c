@@ -53,6 +53,29 @@ static TinkerKeptRun *newest(TinkerKeptRuns *runs)
     return runs->runs->len > 0 ? tinker_kept_runs_at(runs, runs->runs->len - 1) : NULL;
 }
 
+static gboolean is_taken(TinkerKeptRuns *runs, const TinkerKeptRun *by_another_than, const char *name)
+{
+    for (guint i = 0; i < runs->runs->len; i++) {
+        const TinkerKeptRun *run = tinker_kept_runs_at(runs, i);
+        if (run != by_another_than && g_str_equal(run->name, name)) return TRUE;
+    }
+    return FALSE;
+}
+
+/* A name that no other run has: with a number behind it where one does, as where a change was taken back. Takes it
+ * over.
+ */
+static char *unlike_others(TinkerKeptRuns *runs, const TinkerKeptRun *run, char *name)
+{
+    g_autofree char *wanted = name;
+    char *free_name = g_strdup(wanted);
+    for (guint number = 2; is_taken(runs, run, free_name); number++) {
+        g_free(free_name);
+        free_name = g_strdup_printf("%s (%u)", wanted, number);
+    }
+    return free_name;
+}
+
 static char *values_since(TinkerKeptRuns *runs, TinkerScene *scene)
 {
     return newest(runs) != NULL ? tinker_scene_values_changed(scene, newest(runs)->scene) : NULL;
@@ -64,10 +87,10 @@ char *tinker_kept_runs_present_name(TinkerKeptRuns *runs, TinkerScene *scene)
     return values != NULL ? g_strdup_printf(_("%s, now"), values) : g_strdup(C_("run", "now"));
 }
 
-char *tinker_kept_run_name_beside(const TinkerKeptRun *run, TinkerScene *scene)
+char *tinker_kept_runs_name_beside(TinkerKeptRuns *runs, const TinkerKeptRun *run, TinkerScene *scene)
 {
     char *values = run->is_counted ? tinker_scene_values_changed(run->scene, scene) : NULL;
-    return values != NULL ? values : g_strdup(run->name);
+    return values != NULL ? unlike_others(runs, run, values) : g_strdup(run->name);
 }
 
 /* A name that only counts says nothing beside a run of which it is known what it changed. */
@@ -77,7 +100,7 @@ static void name_newest(TinkerKeptRuns *runs, TinkerScene *scene)
     char *values = run != NULL && run->is_counted ? tinker_scene_values_changed(run->scene, scene) : NULL;
     if (values == NULL) return;
     g_free(run->name);
-    run->name = values;
+    run->name = unlike_others(runs, run, values);
     run->is_counted = FALSE;
 }
 
@@ -88,8 +111,8 @@ gboolean tinker_kept_runs_add(TinkerKeptRuns *runs, TinkerScene *scene, const Ti
     TinkerKeptRun *run = g_new0(TinkerKeptRun, 1);
     char *values = values_since(runs, scene);
     run->is_counted = values == NULL;
-    run->name = values != NULL ? values : g_strdup_printf(_("Run %u"), runs->next_id + 1);
     name_newest(runs, scene);
+    run->name = unlike_others(runs, run, values != NULL ? values : g_strdup_printf(_("Run %u"), runs->next_id + 1));
     run->id = runs->next_id++;
     run->shown = TRUE;
     run->number = free_number(runs);
@@ -134,7 +157,7 @@ void tinker_kept_runs_rename(TinkerKeptRuns *runs, guint place, const char *name
     const gboolean is_blank = name[strspn(name, " \t")] == '\0';
     if (is_blank || g_str_equal(run->name, name)) return;
     g_free(run->name);
-    run->name = g_strdup(name);
+    run->name = unlike_others(runs, run, g_strdup(name));
     run->is_counted = FALSE;
     g_signal_emit(runs, changed, 0);
 }

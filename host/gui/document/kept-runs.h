@@ -13,8 +13,8 @@
 G_DECLARE_FINAL_TYPE(TinkerKeptRuns, tinker_kept_runs, TINKER, KEPT_RUNS, GObject)
 
 typedef struct {
-    guint id; /* never given again */
-    char *name;
+    guint id;            /* never given again */
+    char *name;          /* which no other has */
     gboolean is_counted; /* "Run 1": nothing tells yet what it is beside another one */
     gboolean shown;
     int number;         /* from 0, which no other has: for a colour */
@@ -31,16 +31,16 @@ guint tinker_kept_runs_count(TinkerKeptRuns *runs);
 TinkerKeptRun *tinker_kept_runs_at(TinkerKeptRuns *runs, guint place);
 
 /* Keeps what is recorded of a scene, which is copied; `shown` is the frame that has shown it (may be NULL), whose spans
- * are the kept one's. Its name says what was changed since the one kept before,
- * "Spring 0: Stiffness 50 N/m", or is "Run 1"; one of such a name is now named by what was changed since, "Spring
- * 0: Stiffness 25 N/m". FALSE where there are as many as can be. */
+ * are the kept one's. Its name says what was changed since the one kept before, "Spring 0: K 50 N/m", or is "Run 1";
+ * one of such a name is now named by what was changed since, "Spring 0: K 25 N/m". A name that another run has gets a
+ * number, "Spring 0: K 25 N/m (2)". FALSE where there are as many as can be. */
 gboolean tinker_kept_runs_add(TinkerKeptRuns *runs, TinkerScene *scene, const TinkerRecording *recording,
                               const TinkerFrame *shown);
 void tinker_kept_runs_remove(TinkerKeptRuns *runs, guint place);
 void tinker_kept_runs_remove_all(TinkerKeptRuns *runs);
 /* Whether one of them is of this run. */
 gboolean tinker_kept_runs_have(TinkerKeptRuns *runs, const TinkerRunTask *task);
-/* A blank name changes nothing. */
+/* A blank name changes nothing, and one that another run has gets a number. */
 void tinker_kept_runs_rename(TinkerKeptRuns *runs, guint place, const char *name);
 void tinker_kept_runs_show(TinkerKeptRuns *runs, guint place, gboolean shown);
 
@@ -48,9 +48,9 @@ void tinker_kept_runs_show(TinkerKeptRuns *runs, guint place, gboolean shown);
  * (transfer full) */
 char *tinker_kept_runs_present_name(TinkerKeptRuns *runs, TinkerScene *scene);
 
-/* What a run is called beside the present scene: its name, or what was changed since in place of its number. (transfer
- * full) */
-char *tinker_kept_run_name_beside(const TinkerKeptRun *run, TinkerScene *scene);
+/* What one of the runs is called beside the present scene: its name, or what was changed since in place of its number.
+ * (transfer full) */
+char *tinker_kept_runs_name_beside(TinkerKeptRuns *runs, const TinkerKeptRun *run, TinkerScene *scene);
 
 /* The frame of a run at a time (s). NULL where it is hidden, or not recorded so far. Borrowed. */
 TinkerFrame *tinker_kept_run_frame(TinkerKeptRun *run, double time);

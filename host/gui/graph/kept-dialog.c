@@ -48,12 +48,14 @@ static void on_remove(GtkWidget *button)
     g_idle_add_full(G_PRIORITY_HIGH_IDLE, fill_later, g_object_ref(window), g_object_unref);
 }
 
-static void add_row(GtkWidget *list, const TinkerKeptRun *run, guint place, TinkerScene *scene)
+static void add_row(GtkWidget *list, TinkerKeptRuns *runs, guint place, TinkerScene *scene)
 {
+    const TinkerKeptRun *run = tinker_kept_runs_at(runs, place);
     GtkWidget *row = gtk_box_new(GTK_ORIENTATION_HORIZONTAL, 6), *check = gtk_check_button_new(),
               *entry = gtk_entry_new(), *button = gtk_button_new_from_icon_name("list-remove-symbolic");
-    g_autofree char *called = tinker_kept_run_name_beside(run, scene), *show = g_strdup_printf(_("Show %s"), called),
-                    *name = g_strdup_printf(_("Name of %s"), called), *remove = g_strdup_printf(_("Remove %s"), called);
+    g_autofree char *called = tinker_kept_runs_name_beside(runs, run, scene),
+                    *show = g_strdup_printf(_("Show %s"), called), *name = g_strdup_printf(_("Name of %s"), called),
+                    *remove = g_strdup_printf(_("Remove %s"), called);
     const struct {
         GtkWidget *part;
         const char *label, *signal;
@@ -83,8 +85,7 @@ static void fill(GtkWidget *window)
     while ((child = gtk_widget_get_first_child(list)) != NULL)
         gtk_box_remove(GTK_BOX(list), child);
     for (guint i = 0; i < tinker_kept_runs_count(runs); i++)
-        add_row(list, tinker_kept_runs_at(runs, i), i,
-                tinker_document_scene(g_object_get_data(G_OBJECT(window), "document")));
+        add_row(list, runs, i, tinker_document_scene(g_object_get_data(G_OBJECT(window), "document")));
     if (tinker_kept_runs_count(runs) > 0) return;
     GtkWidget *none =
         gtk_label_new(_("No run is kept. “Keep Run” keeps the present one to be compared with the next."));
