@@ -28,6 +28,7 @@ typedef struct {
 typedef struct {
     const char *kind;
     const TinkerTouchingPair *pair;
+    TinkerEvent *event; /* the summary's */
 } TinkerToldEvent;
 
 typedef struct {
@@ -145,6 +146,8 @@ void tinker_change_push(const TinkerContactChange *change, const double *impulse
  */
 gboolean tinker_change_accelerations(TinkerContactChange *change, double *pairs, double *scale);
 void tinker_change_add_event(TinkerContactChange *change, const char *kind, const TinkerTouch *of);
+/* Of what was told of pairs of shapes: whether they are closed elsewhere, now that all is settled. */
+void tinker_change_note_staying(TinkerContactChange *change);
 /* Stops the run. Answers FALSE. */
 gboolean tinker_change_refuse(TinkerContactChange *change, const char *why, GError **error);
 /* Stops the run where the laws were not solved: `why`, unless it was for want of memory. */

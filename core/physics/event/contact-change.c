@@ -292,6 +292,7 @@ static gboolean change_group(TinkerContactRun *self, const TinkerTrigger *trigge
     if (done) turn_bodies(&change);
     done = done && settle_contacts(&change, error);
     if (done) name_changes(&change);
+    tinker_change_note_staying(&change);
     give_alternatives(&change, events);
     if (done) turn_bodies(&change);
     if (done) note_leaving(&change);

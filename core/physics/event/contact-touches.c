@@ -22,7 +22,7 @@ static gboolean was_told(TinkerContactChange *change, const char *kind, const Ti
         const TinkerToldEvent *told = &g_array_index(change->told, TinkerToldEvent, i);
         if (told->pair == pair && g_str_equal(told->kind, kind)) return TRUE;
     }
-    const TinkerToldEvent now = {kind, pair};
+    const TinkerToldEvent now = {kind, pair, NULL};
     if (pair != NULL) g_array_append_val(change->told, now);
     return FALSE;
 }
@@ -53,8 +53,22 @@ void tinker_change_add_event(TinkerContactChange *change, const char *kind, cons
     g_autofree char *names = names_of(change, kind, of);
     tinker_island_run_add_event(change->run->run, kind, names);
     const GPtrArray *events = change->run->run->summary.events;
-    ((TinkerEvent *)g_ptr_array_index(events, events->len - 1))->turns =
-        tinker_contacts_resists(change->contacts, &of->contact);
+    TinkerEvent *event = g_ptr_array_index(events, events->len - 1);
+    event->turns = tinker_contacts_resists(change->contacts, &of->contact);
+    const TinkerTouchingPair *pair = change->contacts->plates[of->contact.plate].pair;
+    if (pair == NULL) return;
+    event->stays = g_str_equal(kind, "end"); /* a shape has other places than that which goes over */
+    g_array_index(change->told, TinkerToldEvent, change->told->len - 1).event = event;
+}
+
+void tinker_change_note_staying(TinkerContactChange *change)
+{
+    const TinkerContacts *contacts = change->contacts;
+    for (guint i = 0; i < change->told->len; i++) {
+        const TinkerToldEvent *told = &g_array_index(change->told, TinkerToldEvent, i);
+        for (guint k = 0; told->event != NULL && k < contacts->closed->len; k++)
+            told->event->stays |= contacts->plates[tinker_contacts_closed(contacts, k)->plate].pair == told->pair;
+    }
 }
 
 gboolean tinker_change_refuse(TinkerContactChange *change, const char *why, GError **error)

@@ -8,7 +8,7 @@
 static const struct {
     const char *kind, *words;
     int blocks;
-    gboolean turns;
+    gboolean turns, stays; /* of such events alone */
 } sentences[] = {
     {"reversal", N_("%s begins to roll the other way on %s"), 2, TRUE},
     {"slip", N_("%s begins to roll on %s"), 2, TRUE},
@@ -17,6 +17,7 @@ static const struct {
     {"slip", N_("%s begins to turn"), 1, TRUE},
     {"stick", N_("%s stops turning"), 1, TRUE},
     {"blow", N_("%s strikes %s"), 2},
+    {"end", N_("%s comes to the end of %s"), 2, FALSE, TRUE},
     {"end", N_("%s leaves the end of %s"), 2},
     {"impact", N_("%s strikes %s"), 2},
     {"jam", N_("%s jams on %s"), 2},
@@ -24,6 +25,7 @@ static const struct {
     {"reversal", N_("%s begins to slide the other way on %s"), 2},
     {"slip", N_("%s begins to slide on %s"), 2},
     {"stick", N_("%s stops sliding on %s"), 2},
+    {"take-off", N_("%s lifts off %s at a corner"), 2, FALSE, TRUE},
     {"take-off", N_("%s lifts off %s"), 2},
     {"bifurcation", N_("%s passes a place from where it could go on in several ways"), 1},
     {"direction lost", N_("The ends of %s meet: its force has no direction there"), 1},
@@ -65,7 +67,7 @@ char *tinker_event_text(const TinkerScene *scene, const TinkerEvent *event)
     g_autofree char *first = comma != NULL ? g_strndup(all, (gsize)(comma - all)) : NULL;
     for (gsize i = 0; i < G_N_ELEMENTS(sentences); i++) {
         if (!g_str_equal(sentences[i].kind, event->kind) || (sentences[i].turns && !event->turns) ||
-            (sentences[i].blocks == 2 && comma == NULL))
+            (sentences[i].stays && !event->stays) || (sentences[i].blocks == 2 && comma == NULL))
             continue;
         const gboolean two = sentences[i].blocks == 2;
         return filled(_(sentences[i].words), (const char *[]){two ? first : all, two ? comma + 2 : ""});

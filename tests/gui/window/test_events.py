@@ -33,6 +33,21 @@ def test_last_event_is_told(display):
         wait(lambda: told(app) is None, "nothing to be told of before a run")
 
 
+def test_box_leaves_only_with_its_last_corner(display):
+    """A box 0.6 m long slides at 1 m/s to the end of its top, 1 m away: a corner passes that at 0.7 s."""
+    table = support("Table", 0, -0.2, width=2, static_friction=0, dynamic_friction=0)
+    box = {"type": "box", "name": "Box", "width": 0.6, "height": 0.4, "position": [0, 0.2], "velocity": [1, 0],
+           "static_friction": 0, "dynamic_friction": 0}
+    with App(display, scene(table, box, GRAVITY, duration=2)) as app:
+        app.click("Play")
+        wait(lambda: app.time() == 2 and not app.is_playing(), "the end")
+        for share, words in ((0.4, "0.7 s: Box comes to the end of Table"), (0.55, "1 s: Box lifts off Table at a corner")):
+            app.seek(share)
+            app.find_text(words)
+        app.seek(0.95)
+        app.find("label", re.compile("^1.3[0-9]* s: Box lifts off Table$"))
+
+
 def test_law_of_impact_that_decides_is_offered(display):
     """One ball strikes two that touch: by Newton it comes back, by blows one after the other it stops."""
     balls = [{"type": "disc", "name": f"Ball {i}", "radius": 0.5, "position": [x, 0], "restitution": 1, "solid": True}
