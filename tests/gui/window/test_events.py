@@ -41,7 +41,8 @@ def test_box_leaves_only_with_its_last_corner(display):
     with App(display, scene(table, box, GRAVITY, duration=2)) as app:
         app.click("Play")
         wait(lambda: app.time() == 2 and not app.is_playing(), "the end")
-        for share, words in ((0.4, "0.7 s: Box comes to the end of Table"), (0.55, "1 s: Box lifts off Table at a corner")):
+        for share, words in ((0.4, "0.7 s: Box comes to the end of Table"),
+                             (0.55, "1 s: Box lifts off Table at a corner")):
             app.seek(share)
             app.find_text(words)
         app.seek(0.95)
