@@ -13,8 +13,8 @@
 static const TinkerSceneInstrument *add(GuiFixture *fixture, const char *block, const char *name)
 {
     g_autoptr(GError) error = NULL;
-    g_assert_true(
-        tinker_control_add(fixture->document, gui_fixture_block(fixture, block), name, (double[]){0, 0}, &error));
+    g_assert_true(tinker_control_add(fixture->document, gui_fixture_block(fixture, block), name,
+                                     &(TinkerInstrumentPlace){0}, &error));
     g_assert_no_error(error);
     GPtrArray *all = tinker_scene_instruments(tinker_document_scene(fixture->document));
     return g_ptr_array_index(all, all->len - 1);

@@ -23,7 +23,7 @@ static const char controls[] =
 static const char meters[] = "\"meters\": [\n"
                              "    {\"block\": \"Scene\", \"quantity\": \"energy\", \"kind\": \"bar\"},\n"
                              "    {\"block\": \"Mass 0\", \"quantity\": \"distance to Mass 1\", \"kind\": \"dial\", "
-                             "\"place\": [3, 4]}\n"
+                             "\"place\": [3, 4], \"makes_way\": true}\n"
                              "  ]";
 
 static TinkerScene *scene_of_all(void)

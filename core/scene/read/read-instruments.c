@@ -52,14 +52,17 @@ static void read_kind(SceneReader *reader, const cJSON *json, JsonAt at, const R
 
 static void read_member(SceneReader *reader, const cJSON *json, JsonAt at, ReadInstrument *read, GString **unknown)
 {
-    static const char *const of_control[] = {"block", "property", "from", "to", "step", "place", "kind", NULL};
-    static const char *const of_meter[] = {"block", "quantity", "kind", "place", NULL};
+    static const char *const of_control[] = {"block", "property", "from",      "to", "step",
+                                             "place", "kind",     "makes_way", NULL};
+    static const char *const of_meter[] = {"block", "quantity", "kind", "place", "makes_way", NULL};
     TinkerSceneInstrument *instrument = read->instrument;
     const char *key = json->string;
     const TinkerDimension dimension = dimension_of(reader, instrument);
     if (g_str_equal(key, "block") || g_str_equal(key, read->controls ? "property" : "quantity")) return;
     if (g_str_equal(key, "place")) {
         instrument->has_place = reader_vector(reader, json, at, "place", reader_length, instrument->place);
+    } else if (g_str_equal(key, "makes_way")) {
+        reader_switch(reader, json, at, "makes_way", &instrument->makes_way);
     } else if (g_str_equal(key, "kind")) {
         read_kind(reader, json, at, read);
     } else if (read->controls && g_str_equal(key, "from")) {

@@ -90,8 +90,9 @@ typedef struct {
     char *of;              /* of a control a property, or "velocity.x" of a vector; of a meter a quantity; owned */
     double from, to, step; /* of a control, in SI; a switch is off at `from`; step 0: any value */
     gboolean has_place;
-    double place[2]; /* of its upper left corner */
-    char *extras;    /* keys that the reader did not know, as JSON members; owned, may be NULL */
+    double place[2];    /* of its upper left corner */
+    gboolean makes_way; /* nobody chose the place, and no run was known: it keeps clear of where blocks go */
+    char *extras;       /* keys that the reader did not know, as JSON members; owned, may be NULL */
 } TinkerSceneInstrument;
 
 static inline gboolean tinker_instrument_controls(const TinkerSceneInstrument *instrument)

@@ -26,6 +26,10 @@ static void write_instrument(SceneWriter *writer, const TinkerSceneInstrument *i
         scene_write_key(writer, "place");
         scene_write_vector(writer, instrument->place, length);
     }
+    if (instrument->makes_way) {
+        scene_write_key(writer, "makes_way");
+        g_string_append(writer->out, "true");
+    }
     scene_write_extras(writer, instrument->extras);
     g_string_append_c(writer->out, '}');
 }

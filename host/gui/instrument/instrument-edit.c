@@ -34,12 +34,13 @@ static gboolean set(TinkerDocument *document, int number, const TinkerSceneInstr
     return good;
 }
 
-static gboolean add(TinkerDocument *document, TinkerSceneInstrument *instrument, const double place[2],
+static gboolean add(TinkerDocument *document, TinkerSceneInstrument *instrument, const TinkerInstrumentPlace *place,
                     const char *title, GError **error)
 {
     const int last = (int)tinker_scene_instruments(tinker_document_scene(document))->len;
     instrument->has_place = place != NULL;
-    if (place != NULL) memcpy(instrument->place, place, sizeof instrument->place);
+    if (place != NULL) memcpy(instrument->place, place->at, sizeof instrument->place);
+    instrument->makes_way = place != NULL && place->makes_way;
     return set(document, last, instrument, title, NULL, error);
 }
 
@@ -93,8 +94,8 @@ static double shown_of_si(TinkerScene *scene, const TinkerSceneInstrument *contr
     return 1 / unit.factor;
 }
 
-gboolean tinker_control_add(TinkerDocument *document, TinkerBlockId block, const char *name, const double place[2],
-                            GError **error)
+gboolean tinker_control_add(TinkerDocument *document, TinkerBlockId block, const char *name,
+                            const TinkerInstrumentPlace *place, GError **error)
 {
     TinkerScene *scene = tinker_document_scene(document);
     g_autoptr(TinkerSceneInstrument) control =
@@ -114,8 +115,8 @@ gboolean tinker_control_add(TinkerDocument *document, TinkerBlockId block, const
     return add(document, control, place, _("Add Control"), error);
 }
 
-gboolean tinker_meter_add(TinkerDocument *document, TinkerBlockId block, const char *quantity, const double place[2],
-                          GError **error)
+gboolean tinker_meter_add(TinkerDocument *document, TinkerBlockId block, const char *quantity,
+                          const TinkerInstrumentPlace *place, GError **error)
 {
     TinkerScene *scene = tinker_document_scene(document);
     g_autoptr(TinkerSceneInstrument) meter =
@@ -133,6 +134,7 @@ void tinker_instrument_move(TinkerDocument *document, int number, const double p
 {
     TinkerSceneInstrument moved = *instrument_at(document, number); /* the texts are copied by the history */
     moved.has_place = TRUE;
+    moved.makes_way = FALSE;
     memcpy(moved.place, place, sizeof moved.place);
     set(document, number, &moved, tinker_instrument_controls(&moved) ? _("Move Control") : _("Move Meter"), merge,
         NULL);

@@ -19,8 +19,7 @@
 #define EDGE         4.0
 #define ROOMY_WIDTH  560.0 /* widget units of a canvas on which they have their full size, */
 #define ROOMY_HEIGHT 320.0
-#define LEAST_SIZE   0.7                   /* and how small they may become: readable */
-#define PLACED_BLIND "tinker-placed-blind" /* of a view: its place was chosen for it before any run */
+#define LEAST_SIZE   0.7 /* and how small they may become: readable */
 
 struct _TinkerInstrumentLayer {
     GtkWidget parent_instance;
@@ -35,7 +34,6 @@ struct _TinkerInstrumentLayer {
     gboolean has_looked;     /* that is up to date */
     TinkerPlayerState state; /* of the player when it was heard of last */
     gboolean awaits_run;     /* which began since, and whose way is not known yet */
-    gboolean placed_blind;   /* the next new one has got its place while no way was known */
 
     TinkerInstrumentView *dragged; /* borrowed; NULL: none */
     double press[2], from[2], way[2];
@@ -99,7 +97,7 @@ static void look_again(TinkerInstrumentLayer *layer)
 /* Whether one keeps clear of blocks and their ways. */
 static gboolean keeps_clear(TinkerInstrumentLayer *layer, TinkerInstrumentView *view)
 {
-    return shrinkage(layer) < 1 || g_object_get_data(G_OBJECT(view), PLACED_BLIND) != NULL;
+    return shrinkage(layer) < 1 || instrument_of(layer, view)->makes_way;
 }
 
 static void look_for_blocks(TinkerInstrumentLayer *layer)
@@ -194,14 +192,14 @@ static gboolean tinker_instrument_layer_contains(GtkWidget *widget, double x, do
     return FALSE;
 }
 
-void tinker_instrument_layer_find_room(TinkerInstrumentLayer *layer, double place[2])
+void tinker_instrument_layer_find_room(TinkerInstrumentLayer *layer, TinkerInstrumentPlace *place)
 {
     const TinkerView *view = tinker_canvas_view(layer->canvas);
     const double full = shrinkage(layer) * FULL_HEIGHT;
     TinkerGraphBox box = {.width = shrinkage(layer) * USUAL_WIDTH, .height = full};
     g_autoptr(GArray) taken = tinker_graph_layer_taken(layer->graphs, tinker_player_frame(layer->player));
     tinker_graph_layer_add_swept(layer->graphs, taken);
-    layer->placed_blind = !(tinker_player_reached(layer->player) > 0);
+    place->makes_way = !(tinker_player_reached(layer->player) > 0);
     arrange(layer);
     for (guint i = 0; i < layer->boxes->len; i++) {
         TinkerGraphBox other = g_array_index(layer->boxes, TinkerGraphBox, i);
@@ -210,7 +208,7 @@ void tinker_instrument_layer_find_room(TinkerInstrumentLayer *layer, double plac
     }
     tinker_graph_find_room(&box, view->width, view->height - BAR_HEIGHT, (const TinkerGraphBox *)(gpointer)taken->data,
                            (int)taken->len);
-    tinker_view_to_world(view, box.x, box.y, &place[0], &place[1]);
+    tinker_view_to_world(view, box.x, box.y, &place->at[0], &place->at[1]);
 }
 
 void tinker_instrument_layer_draw(TinkerInstrumentLayer *layer, cairo_t *cairo)
@@ -293,10 +291,7 @@ static void on_drag_end(GtkGestureDrag *gesture, double dx, double dy, TinkerIns
     if (layer->dragged != view) return;
     const TinkerGraphBox box = wanted_box(layer, view);
     layer->dragged = NULL;
-    if (layer->way[0] != 0 || layer->way[1] != 0) {
-        g_object_set_data(G_OBJECT(view), PLACED_BLIND, NULL);
-        commit(layer, view, box.x, box.y, NULL);
-    }
+    if (layer->way[0] != 0 || layer->way[1] != 0) commit(layer, view, box.x, box.y, NULL);
 }
 
 static gboolean on_key(GtkEventControllerKey *controller, guint key, guint code, GdkModifierType modifiers,
@@ -306,7 +301,6 @@ static gboolean on_key(GtkEventControllerKey *controller, guint key, guint code,
               down = (key == GDK_KEY_Down) - (key == GDK_KEY_Up);
     if ((right == 0 && down == 0) || !(modifiers & GDK_SHIFT_MASK)) return GDK_EVENT_PROPAGATE;
     if (GTK_IS_TEXT(gtk_root_get_focus(gtk_widget_get_root(GTK_WIDGET(layer))))) return GDK_EVENT_PROPAGATE;
-    g_object_set_data(G_OBJECT(view_of(controller)), PLACED_BLIND, NULL);
     const TinkerGraphBox box = wanted_box(layer, view_of(controller)); /* also where it is not, to pass others */
     commit(layer, view_of(controller), box.x + NUDGE * right, box.y + NUDGE * down, "nudge instrument");
     return GDK_EVENT_STOP;
@@ -319,8 +313,6 @@ static TinkerInstrumentView *view_new(TinkerInstrumentLayer *layer, int number)
 {
     TinkerInstrumentView *view = tinker_instrument_view_new(layer->document, layer->player, layer->hand, number);
     gtk_widget_set_parent(GTK_WIDGET(view), GTK_WIDGET(layer));
-    g_object_set_data(G_OBJECT(view), PLACED_BLIND, GINT_TO_POINTER(layer->placed_blind));
-    layer->placed_blind = FALSE;
     GtkGesture *drag = gtk_gesture_drag_new();
     g_signal_connect(drag, "drag-begin", G_CALLBACK(on_drag_begin), layer);
     g_signal_connect(drag, "drag-update", G_CALLBACK(on_drag_update), layer);

@@ -4,6 +4,7 @@
 #define TINKER_GUI_INSTRUMENT_LAYER_H
 
 #include "gui/graph/graph-layer.h"
+#include "gui/instrument/instrument-edit.h"
 
 #define TINKER_TYPE_INSTRUMENT_LAYER (tinker_instrument_layer_get_type())
 G_DECLARE_FINAL_TYPE(TinkerInstrumentLayer, tinker_instrument_layer, TINKER, INSTRUMENT_LAYER, GtkWidget)
@@ -12,8 +13,9 @@ G_DECLARE_FINAL_TYPE(TinkerInstrumentLayer, tinker_instrument_layer, TINKER, INS
 GtkWidget *tinker_instrument_layer_new(TinkerCanvas *canvas, TinkerGraphLayer *graphs, TinkerDocument *document,
                                        TinkerPlayer *player);
 
-/* A place (m) in the view that is free of blocks, graphs and other instruments. */
-void tinker_instrument_layer_find_room(TinkerInstrumentLayer *layer, double place[2]);
+/* A place in the view that is free of blocks, graphs and other instruments; it makes way where no run tells yet where
+ * blocks go. */
+void tinker_instrument_layer_find_room(TinkerInstrumentLayer *layer, TinkerInstrumentPlace *place);
 
 /* Draws them as they are seen, where they are on the canvas. */
 void tinker_instrument_layer_draw(TinkerInstrumentLayer *layer, cairo_t *cairo);

@@ -12,13 +12,13 @@ static void add_control(GSimpleAction *action, GVariant *parameter, gpointer dat
     TinkerWindow *window = data;
     const TinkerBlockId block = tinker_document_selected(window->document);
     g_autoptr(GError) error = NULL;
-    double place[2];
+    TinkerInstrumentPlace place;
     if (block == TINKER_NO_BLOCK) {
         window_toast(window, _("Select the block that the control is to be of"));
         return;
     }
-    tinker_instrument_layer_find_room(window->instruments, place);
-    if (!tinker_control_add(window->document, block, g_variant_get_string(parameter, NULL), place, &error))
+    tinker_instrument_layer_find_room(window->instruments, &place);
+    if (!tinker_control_add(window->document, block, g_variant_get_string(parameter, NULL), &place, &error))
         window_toast(window, error->message);
 }
 
@@ -28,9 +28,9 @@ static void add_meter(GSimpleAction *action, GVariant *parameter, gpointer data)
     TinkerWindow *window = data;
     const TinkerBlockId block = tinker_document_selected(window->document);
     g_autoptr(GError) error = NULL;
-    double place[2];
-    tinker_instrument_layer_find_room(window->instruments, place);
-    if (!tinker_meter_add(window->document, block, g_variant_get_string(parameter, NULL), place, &error))
+    TinkerInstrumentPlace place;
+    tinker_instrument_layer_find_room(window->instruments, &place);
+    if (!tinker_meter_add(window->document, block, g_variant_get_string(parameter, NULL), &place, &error))
         window_toast(window, error->message);
 }
 

@@ -122,6 +122,7 @@ def test_meter_that_was_placed_before_any_run_makes_way(display):
             return x < right and x + width > left and y < bottom and y + height > top
 
         check(meets_the_way(), "before the run its place is in the way")
+        check(app.saved()["meters"][0]["makes_way"], "the file knows that nobody chose the place")
         app.press("space")
         wait(lambda: not meets_the_way(), "it to make way")
         wait(lambda: not app.is_playing(), "the end")
@@ -129,6 +130,26 @@ def test_meter_that_was_placed_before_any_run_makes_way(display):
         x, y, width, _ = app.settled(node)
         app.drag_pixels((x + width / 2, y + 8), app.at(3.9, 1))
         wait(meets_the_way, "it to stay where it was put")
+        check("makes_way" not in app.saved()["meters"][0], "the file knows that a hand has put it there")
+
+
+def test_meter_makes_way_in_a_scene_that_is_opened(display):
+    """Placed before any run and saved, one is beside the way of a run; one whose place was chosen stays in it."""
+    meters = [{"block": "Bob", "quantity": quantity, "place": [3.2, y], "makes_way": makes_way}
+              for quantity, y, makes_way in (("y", 2.5, True), ("vy", -0.5, False))]
+    with App(display, scene(mass("Bob", 3.9, -3, velocity=[0, 1.7]), duration=4, canvas={"width": 10},
+                            meters=meters)) as app:
+        app.show_width()
+
+        def meets_the_way(quantity):
+            x, y, width, height = app.settled(app.find(None, re.compile(f"^Meter of .*{quantity}")))
+            left, top, right, bottom = app.area(3.5, -3.4, 4.3, 4.2)  # what the body sweeps: -3 m to 3.8 m, and its size
+            return x < right and x + width > left and y < bottom and y + height > top
+
+        app.press("space")
+        wait(lambda: not app.is_playing() and app.time() == 4, "the end")
+        wait(lambda: not meets_the_way("Position"), "the one that makes way to do so")
+        check(meets_the_way("Velocity"), "the other stays")
 
 
 def test_meter_makes_way_for_a_notice(display):
