@@ -144,6 +144,35 @@ static void test_between_cursors(void)
     }
 }
 
+/* A run that is kept has statistics of its own beside those of the present one, by its name, as long as it is shown: on
+ * a spring a quarter as stiff the mass swings half as fast. */
+static void test_kept_run(void)
+{
+    static const char *const names[] = {"K: K 25 N/m\n", "K: K 6.25 N/m, now\n"};
+    static const double periods[] = {PERIOD, 2 * PERIOD};
+    g_autoptr(GuiFixture) fixture = gui_fixture_new("");
+    gui_fixture_start_scene(fixture, COARSE);
+    run_whole(fixture);
+    g_assert_true(tinker_player_keep(fixture->player));
+    gui_fixture_set(fixture, "K", "stiffness", 6.25, 0);
+    run_whole(fixture);
+    g_autoptr(TinkerGraphData) data = graph_fixture_data(fixture);
+    g_autofree char *text = tinker_graph_statistics_text(data, NULL);
+    g_test_message("%s", text);
+    g_assert_null(strstr(text, "without the error"));
+    for (gsize i = 0; i < G_N_ELEMENTS(names); i++) {
+        const char *part = strstr(text, names[i]);
+        double value, error;
+        g_assert_nonnull(part);
+        read_line(part, "Period", &value, &error);
+        g_assert_cmpfloat(fabs(value - periods[i]), <=, error);
+        g_assert_cmpfloat(error, <, 0.2 * periods[i]);
+    }
+    tinker_kept_runs_show(tinker_player_kept(fixture->player), 0, FALSE);
+    g_autofree char *alone = tinker_graph_statistics_text(data, NULL);
+    g_assert_null(strstr(alone, names[0]));
+}
+
 /* Where there is no estimate the numbers say so. */
 static void test_not_known(void)
 {
@@ -191,6 +220,7 @@ static void add_tests(void)
     g_test_add_func("/gui/graph-statistics/about-its-error", test_about_its_error);
     g_test_add_func("/gui/graph-statistics/bounces", test_bounces);
     g_test_add_func("/gui/graph-statistics/not-known", test_not_known);
+    g_test_add_func("/gui/graph-statistics/kept-run", test_kept_run);
 }
 
 int main(int argc, char **argv)

@@ -124,6 +124,11 @@ static gboolean read_band(gpointer source, TinkerQuantity quantity, double until
     return tinker_player_band(source, quantity, until, band);
 }
 
+static gboolean read_kept_band(gpointer source, TinkerQuantity quantity, double until, double *band)
+{
+    return tinker_recording_band(source, quantity, until, band);
+}
+
 static gboolean read_kept(gpointer source, TinkerQuantity quantity, TinkerSeriesCursor *cursor, GArray *times,
                           GArray *values)
 {
@@ -224,9 +229,11 @@ gboolean tinker_graph_data_is_empty(const TinkerGraphData *data)
 
 gboolean tinker_graph_data_run_error(const TinkerGraphData *data, guint curve, double from, double to, double *error)
 {
-    return graph_line(data, curve)->run == NULL &&
-           tinker_graph_series_run_error(graph_line(data, curve)->series, read_player, read_band, data->player, from,
-                                         to, error);
+    const GraphLine *line = graph_line(data, curve);
+    if (line->run != NULL)
+        return tinker_graph_series_run_error(line->series, read_kept, read_kept_band, &line->run->recording, from, to,
+                                             error);
+    return tinker_graph_series_run_error(line->series, read_player, read_band, data->player, from, to, error);
 }
 
 static gboolean find_peak(const TinkerGraphSeries *series, gsize *point)

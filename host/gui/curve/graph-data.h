@@ -67,7 +67,7 @@ void tinker_graph_data_fill_plot(TinkerGraphData *data, TinkerPlot *plot);
 /* Which point of its curve a point of the curve filled in last is. */
 gsize tinker_graph_data_point(const TinkerGraphData *data, guint curve, gsize drawn);
 
-/* How far the run may have a curve of its own off between two times (s), in the unit shown. FALSE where that is not
+/* How far its run may have a curve off between two times (s), in the unit shown. FALSE where that is not
  * known, or not yet. */
 gboolean tinker_graph_data_run_error(const TinkerGraphData *data, guint curve, double from, double to, double *error);
 
@@ -77,8 +77,8 @@ typedef struct {
     gboolean between_cursors;
 } TinkerGraphPart;
 
-/* Mean, extrema, period and damping of its own curves in a part of the time (NULL: all), each with its error, that of
- * the run included where it is known; and how far they are from the tables of measured values beside them. (transfer
+/* Mean, extrema, period and damping of its curves in a part of the time (NULL: all), of the present run and then of each
+ * that is kept and shown, under their names; each with its error, that of the run included where it is known; and how far they are from the tables of measured values beside them. (transfer
  * full) */
 char *tinker_graph_statistics_text(TinkerGraphData *data, const TinkerGraphPart *part);
 

@@ -129,7 +129,7 @@ char *tinker_graph_statistics_text(TinkerGraphData *data, const TinkerGraphPart 
 {
     g_autoptr(GString) text = g_string_new(NULL);
     tinker_graph_data_catch_up(data);
-    for (guint i = 0; i < tinker_graph_data_own_curves(data); i++)
+    for (guint i = 0; i < tinker_graph_data_curves(data); i++)
         add_curve(text, data, i, part);
     return g_strdup(g_strchomp(text->str));
 }
