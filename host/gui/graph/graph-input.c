@@ -1,5 +1,6 @@
 /* A press that goes nowhere is a click, any other draws a box or takes the curves along. Graphs over time share what
  * they show of it; other axes are each graph's own. */
+#include <adwaita.h>
 #include <glib/gi18n.h>
 #include <math.h>
 
@@ -229,11 +230,11 @@ static void on_pressed(GtkGestureClick *gesture, int presses, double x, double y
     if (presses == 2) tinker_graph_plot_show_all(plot);
 }
 
-/* Whether the graph lies in what the wheel would scroll. */
+/* Whether the graph lies on a page that the wheel would scroll: not all of a window that is smaller than its parts. */
 static gboolean is_scrolled(TinkerGraphPlot *plot)
 {
     GtkWidget *scroller = gtk_widget_get_ancestor(GTK_WIDGET(plot), GTK_TYPE_SCROLLED_WINDOW);
-    if (scroller == NULL) return FALSE;
+    if (scroller == NULL || gtk_widget_get_ancestor(scroller, ADW_TYPE_VIEW_STACK) == NULL) return FALSE;
     GtkAdjustment *down = gtk_scrolled_window_get_vadjustment(GTK_SCROLLED_WINDOW(scroller));
     return gtk_adjustment_get_upper(down) > gtk_adjustment_get_page_size(down);
 }

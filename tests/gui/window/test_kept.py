@@ -3,7 +3,7 @@
 motion without gravity: a mass at 1 m/s is at 0.5 m after 0.5 s, one at 2 m/s at 1 m."""
 import re
 
-from harness import App, main, mass, scene, wait
+from harness import App, check, check_close, main, mass, scene, wait
 
 GRAPH = {"block": "Ball", "quantity": "x"}
 
@@ -40,6 +40,23 @@ def test_kept_run_is_shown_renamed_and_taken_away(display):
         run(app)
         app.press("ctrl+k")
         app.find_text("Kept as “Ball: Vx 2 m/s”")
+        run(app)
+        plot = app.find(None, re.compile("^Graph of "))
+        for _ in range(60):
+            if any(node.has("focused") and node.name == plot.name for node in app.tree.refresh()):
+                break
+            app.press("Tab")
+        app.press("s")  # of both runs, and what is too long for the screen is scrolled
+        told = wait(lambda: app.look("label", re.compile("Mean = ")), "the statistics").name
+        for name, mean in (("Ball: Vx 1 m/s", -1.75), ("Ball: Vx 2 m/s", -1.5)):
+            check(f"\n\n{name}\n" in f"\n\n{told}", f"{name} is not told of in “{told}”")
+            part = told[f"\n{told}".index(f"\n{name}\n"):]
+            check_close(float(re.search("Mean = −([0-9.]+) m", part).group(1)), -mean, 1e-9, f"mean of {name} (m)")
+        x, y, width, height = app.settled(app.find("button", "Close", inside=app.find(None, "Statistics")))
+        check(y + height <= 900, "the button is on the screen")
+        app.press("Escape")
+        app.gone(None, "Statistics")
+        app.focus_window()
         both = plot_picture(app)
         app.press("ctrl+shift+k")
         dialog = app.find(None, "Kept Runs")

@@ -122,6 +122,36 @@ def test_twice_as_many_pixels(display):
         app.wait_fill(colours.BODY, (0.6, -0.4), (1.4, 0.4), least=300)
 
 
+def test_all_is_reached_on_a_screen_that_is_too_small(display):
+    """At twice the size a screen of 1280 by 800 has 640 by 400: what does not fit is scrolled to, by the focus as well."""
+    ball = scene(mass("Ball", 0, 0, velocity=[1, 0]), duration=0.5, graphs=[{"block": "Ball", "quantity": "x"}])
+    with App(display, ball, environment={"GDK_SCALE": "2"}) as app:
+        window = max(app.windows(), key=lambda size: size[1][2])[0]
+        app.xdotool("windowsize", window, 1280, 800)
+
+        def size():
+            return next(place[2:] for number, place in app.windows() if number == window)
+
+        wait(lambda: size() == (1280, 800), "the window to be as small as the screen")
+
+        def is_inside(node):
+            x, y, width, height = app.settled(node)
+            return 0 <= x and x + width <= 1280 and 0 <= y and y + height <= 800
+
+        play = app.find("button", "Play")
+        check(not is_inside(play), "there is no room for the play bar")
+        for part in ("Play", "Main Menu"):
+            node = app.find(None, part)
+            for _ in range(80):
+                if any(other.has("focused") and other.name == part for other in app.tree.refresh()):
+                    break
+                app.press("Tab")
+            wait(lambda: is_inside(node), f"“{part}” to be seen")
+            if part == "Play":
+                app.click(play)
+                wait(lambda: app.time() == 0.5 and not app.is_playing(), "the end of the run")
+
+
 def field_arrow(app, x, y):
     """How long the arrow of gravity is that starts at a body's centre (px)."""
     left, top, right, bottom = app.area(x - 0.3, y - 4, x + 0.3, y)
