@@ -24,8 +24,33 @@ static void test_words(void)
     g_assert_cmpstr(said, ==, "Mass 0, Mass, at (10.49869 ft, 7.87402 ft)");
 }
 
+/* A component is called by its own title, with what it is of where that does not say so; one that has none by the
+ * property's title and its axis, so that the two are told apart. */
+static void test_components(void)
+{
+    static const struct {
+        TinkerPropertyType type;
+        const char *words[2];
+    } cases[] = {
+        {{.kind = TINKER_KIND_VECTOR, .title = "Pull", .group = "Forces"}, {"Pull x", "Pull y"}},
+        {{.kind = TINKER_KIND_VECTOR, .title = "Pull", .group = "Forces", .component_titles = {"X", "Y"}},
+         {"Pull X", "Pull Y"}},
+        {{.kind = TINKER_KIND_VECTOR, .title = "Pull", .group = "First Pull", .component_titles = {"X", "Y"}},
+         {"First Pull X", "First Pull Y"}},
+        {{.kind = TINKER_KIND_VECTOR, .title = "Pull", .group = "Forces", .component_titles = {"X Pull", "Y Pull"}},
+         {"X Pull", "Y Pull"}},
+        {{.kind = TINKER_KIND_REAL, .title = "Pull", .group = "Forces"}, {"Pull", "Pull"}},
+    };
+    for (gsize i = 0; i < G_N_ELEMENTS(cases); i++)
+        for (int32_t component = 0; component < 2; component++) {
+            g_autofree char *words = tinker_property_words(&cases[i].type, component);
+            g_assert_cmpstr(words, ==, cases[i].words[component]);
+        }
+}
+
 static void add_tests(void)
 {
+    g_test_add_func("/gui/property-list/components", test_components);
     g_test_add_func("/gui/property-list/words", test_words);
 }
 

@@ -174,6 +174,38 @@ def test_added_by_the_property(display):
         check_close(app.saved()["controls"][0]["step"], 0.02, 1e-12, "its step")
 
 
+def test_meter_by_keys_alone(display):
+    """Added by the menu of what is selected, made a dial by its own, and moved."""
+    with App(display, scene(mass("Ball", -2, 0, velocity=[0, 3]), duration=1)) as app:
+        def focused():
+            return [node.name for node in app.tree.refresh() if node.has("focused")]
+
+        def go_to(name, key):
+            for _ in range(60):
+                if any(name in other for other in focused()):
+                    return
+                app.press(key)
+                app.tree.refresh()
+            check(False, f"{key} does not come to {name}")
+
+        def choose(*names):
+            for name in names:
+                go_to(name, "Down")
+                app.press("Return")
+
+        app.press("Tab")  # selects the block
+        app.press("shift+F10")
+        choose("Add Meter", "Speed")
+        wait(lambda: app.saved().get("meters"), "the meter")
+        go_to("Meter of Ball: Speed", "Tab")
+        app.press("Menu")
+        choose("Dial")
+        wait(lambda: app.saved()["meters"][0]["kind"] == "dial", "it to be a dial")
+        place = app.saved()["meters"][0]["place"]
+        app.press("shift+Left")
+        wait(lambda: app.saved()["meters"][0]["place"][0] < place[0], "it to be moved")
+
+
 def test_menu_of_a_title_is_not_beneath_its_tooltip(display):
     with App(display, oscillator()) as app:
         app.show_width()

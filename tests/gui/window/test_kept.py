@@ -72,5 +72,26 @@ def test_kept_run_is_shown_renamed_and_taken_away(display):
         wait(lambda: plot_picture(app) != both, "one curve less")
 
 
+def test_legend_without_room_tells_its_names_whole(display):
+    """While the pointer is over it, and nowhere else."""
+    long_name = "A Ball With a Name That Is Much Too Long For Any Legend However Broad the Graph May Ever Become"
+    names = [f"{long_name} {i}" for i in range(6)]
+    balls = [mass(name, -2, i, velocity=[1, 0]) for i, name in enumerate(names)]
+    graph = {"curves": [{"block": name, "quantity": "x"} for name in names]}
+    with App(display, scene(*balls, duration=0.5, graphs=[graph])) as app:
+        run(app)
+        x, y, width, height = app.settled(app.find(None, re.compile("^Graph of ")))
+
+        def told():
+            return app.look("label", re.compile("\n".join(f"{name}.*" for name in names)))
+
+        app.xdotool("mousemove", int(x + width / 2), int(y + 0.7 * height))
+        wait(lambda: told() is None, "nothing to be told over the curves")
+        app.xdotool("mousemove", int(x + width / 2), int(y + 42))
+        wait(told, "the names")
+        app.xdotool("mousemove", int(x + width / 2), int(y + 0.7 * height))
+        wait(lambda: told() is None, "them to go")
+
+
 if __name__ == "__main__":
     main()

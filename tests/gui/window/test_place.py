@@ -71,6 +71,18 @@ def test_drag_back_places_nothing(display):
         check(not app.is_enabled("undo"), "there is nothing to undo")
 
 
+def test_palette_comes_back_to_what_was_dropped_last(display):
+    """Also where it was dragged, and not where a drag came to nothing: Return places the same once more."""
+    with App(display, scene()) as app:
+        app.place("Spring")
+        app.drag_pixels(app.middle(app.palette_button("Disc")), app.at(-2, 0), app.at(2, 1))
+        app.drag_pixels(app.middle(app.palette_button("Box")), app.at(0, 0), app.middle(app.palette_button("Bar")))
+        app.activate("place")
+        wait(lambda: any(node.has("focused") and node.name == "Disc" for node in app.tree.refresh()), "the focus on it")
+        app.press("Return")
+        wait(lambda: "Disc 1" in app.blocks(), "another one")
+
+
 def test_drag_is_one_step_for_undo(display):
     with App(display, scene()) as app:
         app.drag_pixels(app.middle(app.palette_button("Mass")), app.at(0, 0), app.at(1, 1), app.at(2, 2))

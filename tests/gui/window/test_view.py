@@ -1,7 +1,9 @@
 #!/usr/bin/python3
 """Looking around on the canvas, and what is shown beside the blocks."""
+import re
+
 from harness import App, check, check_close, check_equal, main, mass, scene, support, wait
-from harness import colours
+from harness import colours, scenes
 
 BODY_EDGE = (0x27, 0x49, 0x6d)
 
@@ -120,6 +122,32 @@ def test_twice_as_many_pixels(display):
         app.drag((0.2, 0.2), (1.2, 0.2))
         check_equal(app.blocks()["Ball"]["position"], [1, 0], "place")
         app.wait_fill(colours.BODY, (0.6, -0.4), (1.4, 0.4), least=300)
+
+
+def test_whole_scene_is_seen_above_docked_graphs(display):
+    """Also of a scene that takes the place of another one, whose canvas was higher; and once a graph is docked later."""
+    tall = {"blocks": [mass("A", -1, 8), mass("B", 1, -8)], "duration": 1}
+    graphs = [{"block": "A", "quantity": "y"}]
+
+    def build(graphs):
+        return scene(*tall["blocks"], duration=1, graphs=graphs)
+
+    def is_seen(app):
+        left, top, width, height = app.canvas_box()
+        places = [app.at(x, y) for x, y in ((-1.4, 8.4), (1.4, -8.4))]
+        return all(left <= x <= left + width and top <= y <= top + height for x, y in places)
+
+    with App(display, build([])) as app:
+        wait(lambda: is_seen(app), "all to be seen")
+        height = app.canvas_box()[3]
+        app.press("ctrl+o")
+        app.open_dialog("Open Scene", scenes.write(app.home, "docked.tinker.json", build(graphs)))
+        wait(lambda: app.canvas_box()[3] < height, "the graph to be docked")
+        wait(lambda: is_seen(app), "all to be seen above it")
+        app.click(re.compile("^Float"))
+        wait(lambda: app.canvas_box()[3] == height, "it to float")
+        app.press("ctrl+z")
+        wait(lambda: app.canvas_box()[3] < height and is_seen(app), "all to be seen when it is docked again")
 
 
 def test_all_is_reached_on_a_screen_that_is_too_small(display):
