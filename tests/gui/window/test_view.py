@@ -125,7 +125,7 @@ def test_twice_as_many_pixels(display):
 
 
 def test_whole_scene_is_seen_above_docked_graphs(display):
-    """Also of a scene that takes the place of another one, whose canvas was higher; and once a graph is docked later."""
+    """Also of a scene that takes the place of one whose canvas was higher, and once a graph is docked later."""
     tall = {"blocks": [mass("A", -1, 8), mass("B", 1, -8)], "duration": 1}
     graphs = [{"block": "A", "quantity": "y"}]
 
