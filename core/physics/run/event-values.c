@@ -10,8 +10,9 @@
 #include "physics/island/island-run.h"
 #include "physics/run/tolerances.h"
 
-#define RESERVE 256.0 /* instants that are told beyond one for each sample: what bounces to rest has them all at once  \
-                       */
+#define RESERVE                                                                                                        \
+    256.0 /* instants that are told beyond one for each sample: what bounces to rest has them all at once              \
+           */
 
 struct _TinkerEventValues {
     TinkerIslandRuns *runs;

@@ -77,9 +77,9 @@ typedef struct {
     gboolean between_cursors;
 } TinkerGraphPart;
 
-/* Mean, extrema, period and damping of its curves in a part of the time (NULL: all), of the present run and then of each
- * that is kept and shown, under their names; each with its error, that of the run included where it is known; and how far they are from the tables of measured values beside them. (transfer
- * full) */
+/* Mean, extrema, period and damping of its curves in a part of the time (NULL: all), of the present run and then of
+ * each that is kept and shown, under their names; each with its error, that of the run included where it is known; and
+ * how far they are from the tables of measured values beside them. (transfer full) */
 char *tinker_graph_statistics_text(TinkerGraphData *data, const TinkerGraphPart *part);
 
 /* Adds a statistic's value with the digits that its error leaves; of one that is less than its error those up to the
