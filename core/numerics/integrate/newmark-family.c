@@ -1,16 +1,10 @@
-/* A step: start, Newton's iteration for the acceleration, end. Norms are mass-weighted. */
-#include "numerics/integrate/newmark-family.h"
+/* A step: start, acceleration, end; and the memory of it all. */
+#include "numerics/integrate/newmark-private.h"
 
 #include <float.h>
 #include <glib.h>
 
-#include "numerics/integrate/hermite.h"
-#include "numerics/integrate/linear-band.h"
 #include "numerics/integrate/stepping.h"
-#include "numerics/integrate/tolerances.h"
-#include "numerics/solve/symmetric-solver.h"
-
-#define NEWTON_CAP 50
 
 static const char *const no_derivatives =
     "the method needs the derivatives of the forces, which this system does not give; choose an explicit method";
@@ -19,32 +13,9 @@ static const char *const no_convergence =
 
 static const TinkerNewmarkWeights average_acceleration = {.beta = 0.25, .gamma = 0.5};
 
-typedef struct Stepper {
-    const TinkerSystem *system;
-    TinkerNewmarkWeights own;     /* of the method */
-    TinkerNewmarkWeights weights; /* of the step in progress */
-    const char *refusal;
-    TinkerHermite dense;
-    TinkerSymmetricSolver *solver;
-    TinkerLinearBand *band; /* of a linear system with a narrow band: in place of all that iterates */
-    int linear;             /* one solve with one matrix is the solution */
-    int carried;            /* `a` and `power_from` belong to the present state */
-    double h;               /* of the last step; 0: none */
-    int factored;
-    int32_t *diagonal; /* entries of the pattern */
-    double *stiffness, *damping, *row_masses;
-    double *a, *x;              /* the acceleration before, the one looked for */
-    double *correction, *along; /* of x; its part along the rows of constraints */
-    double *base, *descent;     /* the best iterate so far and its correction */
-    double *q, *v;              /* at the end */
-    double *behind, *ahead;     /* accelerations by the forces, at the start and the end */
-    double *power_from, *power_to;
-    double memory[];
-} Stepper;
-
 /* Memory --------------------------------------------------------------------------------------------------------- */
 
-static void take_arrays(Stepper *self, size_t n, size_t m, size_t entries)
+static void take_arrays(NewmarkStepper *self, size_t n, size_t m, size_t entries)
 {
     double *next = self->memory;
     tinker_hermite_init(&self->dense, self->system, &next);
@@ -60,7 +31,7 @@ static void take_arrays(Stepper *self, size_t n, size_t m, size_t entries)
     self->diagonal = (int32_t *)(void *)tinker_take(&next, n);
 }
 
-static void find_diagonal(Stepper *self, const TinkerPattern *pattern)
+static void find_diagonal(NewmarkStepper *self, const TinkerPattern *pattern)
 {
     for (int32_t row = 0; row < pattern->size; row++)
         for (int32_t k = pattern->row_starts[row]; k < pattern->row_starts[row + 1]; k++)
@@ -83,7 +54,7 @@ void *tinker_newmark_create(const TinkerNewmarkWeights *weights, const char *ref
     const TinkerPattern *pattern = system->jacobian != NULL ? system->pattern : NULL;
     size_t entries = pattern != NULL ? (size_t)pattern->entries : 0;
     size_t doubles = tinker_hermite_doubles(system->size, system->books) + 11 * n + 2 * m + 3 * entries;
-    Stepper *self = g_try_malloc0(sizeof *self + doubles * sizeof(double));
+    NewmarkStepper *self = g_try_malloc0(sizeof *self + doubles * sizeof(double));
     if (self == NULL) return NULL;
     self->system = system;
     self->own = *weights;
@@ -104,7 +75,7 @@ void *tinker_newmark_create(const TinkerNewmarkWeights *weights, const char *ref
 
 void tinker_newmark_destroy(void *data)
 {
-    Stepper *self = data;
+    NewmarkStepper *self = data;
     if (self == NULL) return;
     tinker_symmetric_solver_free(self->solver);
     tinker_linear_band_free(self->band);
@@ -113,197 +84,14 @@ void tinker_newmark_destroy(void *data)
 
 void tinker_newmark_restart(void *data)
 {
-    Stepper *self = data;
+    NewmarkStepper *self = data;
     self->carried = 0;
     self->factored = 0;
     tinker_hermite_forget(&self->dense);
 }
 
-/* Newton --------------------------------------------------------------------------------------------------------- */
-
-static double norm(const TinkerSystem *system, const double *x)
-{
-    double sum = 0.0;
-    for (int32_t i = 0; i < system->size; i++)
-        sum += system->mass[i] * x[i] * x[i];
-    return sqrt(sum);
-}
-
-/* The end of the step from x. Constraints are met as RATTLE does, along the rows at the start: on a pendulum the energy
- * stays bounded, which it does not where the end is projected along its own rows. */
-static TinkerStatus place(Stepper *self, const TinkerState *state, double h, double limit)
-{
-    const TinkerSystem *system = self->system;
-    const TinkerNewmarkWeights *w = &self->weights;
-    double old_q = h * h * (0.5 - w->beta), new_q = h * h * w->beta, old_v = h * (1.0 - w->gamma), new_v = h * w->gamma;
-    const double *restrict a = self->a, *restrict x = self->x;
-    double *restrict q = self->q, *restrict v = self->v;
-    for (int32_t i = 0; i < system->size; i++) {
-        q[i] = state->q[i] + (h * state->v[i] + (old_q * a[i] + new_q * x[i]));
-        v[i] = state->v[i] + (old_v * a[i] + new_v * x[i]);
-    }
-    if (!tinker_is_constrained(system)) return TINKER_OK;
-    TinkerStatus status = system->constrain_step(system->context, state->t, state->q, limit, h, self->q, self->v);
-    return status == TINKER_OK ? system->project_velocity(system->context, limit, self->q, self->v, 0) : status;
-}
-
-/* The residual of x, as an acceleration, into `correction`. */
-static TinkerStatus find_residual(Stepper *self, const TinkerState *state, double h, double limit)
-{
-    const TinkerSystem *system = self->system;
-    const TinkerNewmarkWeights *w = &self->weights;
-    TinkerStatus status = place(self, state, h, limit);
-    if (status != TINKER_OK) return status;
-    status = system->acceleration(system->context, limit, self->q, self->v, self->ahead, NULL);
-    const double *restrict x = self->x, *restrict a = self->a, *restrict ahead = self->ahead;
-    for (int32_t i = 0; i < system->size; i++)
-        self->correction[i] =
-            x[i] + w->mean_acceleration * (a[i] - x[i]) - ahead[i] - w->mean_force * (self->behind[i] - ahead[i]);
-    return status;
-}
-
-/* The matrix at the end that the present x leads to. */
-static TinkerStatus factor(Stepper *self, double h, double limit)
-{
-    const TinkerSystem *system = self->system;
-    const TinkerNewmarkWeights *w = &self->weights;
-    double by_v = (1.0 - w->mean_force) * h * w->gamma, by_q = (1.0 - w->mean_force) * h * h * w->beta, stiffest = 0.0;
-    double *matrix = self->stiffness;
-    TinkerStatus status = system->jacobian(system->context, limit, self->q, self->v, self->stiffness, self->damping);
-    if (status != TINKER_OK) return status;
-    for (int32_t k = 0; k < system->pattern->entries; k++)
-        matrix[k] = by_q * self->stiffness[k] + by_v * self->damping[k];
-    for (int32_t i = 0; i < system->size; i++) {
-        double *entry = &matrix[self->diagonal[i]];
-        *entry += (1.0 - w->mean_acceleration) * system->mass[i];
-        stiffest = fmax(stiffest, fabs(*entry) / system->mass[i]);
-    }
-    if (tinker_is_constrained(system) && system->row_masses != NULL) {
-        status = system->row_masses(system->context, limit, self->q, self->row_masses);
-        if (status != TINKER_OK) return status;
-        for (int32_t k = 0; k < system->pattern->entries; k++)
-            matrix[k] += TINKER_ROW_WEIGHT * stiffest * self->row_masses[k];
-    }
-    self->factored = tinker_symmetric_solver_factor(self->solver, matrix);
-    return self->factored ? TINKER_OK : TINKER_FAILED;
-}
-
-/* Replaces the residual by the correction of x. What the residual has along the rows of constraints does not move the
- * end, which is projected: it is met by the acceleration alone. */
-static TinkerStatus solve(Stepper *self, double limit)
-{
-    const TinkerSystem *system = self->system;
-    int32_t n = system->size;
-    double *r = self->correction;
-    int constrained = tinker_is_constrained(system);
-    TinkerStatus status = TINKER_OK;
-    if (constrained) {
-        tinker_copy(n, r, self->along);
-        status = system->project_velocity(system->context, limit, self->q, r, 1);
-        if (status != TINKER_OK) return status;
-        for (int32_t i = 0; i < n; i++)
-            self->along[i] -= r[i];
-    }
-    for (int32_t i = 0; i < n; i++)
-        r[i] *= system->mass[i];
-    tinker_symmetric_solver_solve(self->solver, r);
-    if (!constrained) return TINKER_OK;
-    status = system->project_velocity(system->context, limit, self->q, r, 1);
-    for (int32_t i = 0; i < n; i++)
-        r[i] += self->along[i] / (1.0 - self->weights.mean_acceleration);
-    return status;
-}
-
-/* What rounding of the terms of q1, v1 and x itself makes of x. Their norms in one loop, so that no sum waits for
- * itself alone. */
-static double rounding(const Stepper *self, double h)
-{
-    const TinkerNewmarkWeights *w = &self->weights;
-    const double *terms[] = {self->q, self->v, self->x, self->a};
-    double sums[4] = {0, 0, 0, 0};
-    for (int32_t i = 0; i < self->system->size; i++)
-        for (int k = 0; k < 4; k++)
-            sums[k] += self->system->mass[i] * terms[k][i] * terms[k][i];
-    double by_place = sqrt(sums[0]) / (w->beta * h * h), by_speed = sqrt(sums[1]) / (w->gamma * fabs(h));
-    return 4.0 * DBL_EPSILON * (by_place + by_speed + sqrt(sums[2]) + sqrt(sums[3]));
-}
-
-/* x = base - share * descent. */
-static void descend(Stepper *self, double share)
-{
-    for (int32_t i = 0; i < self->system->size; i++)
-        self->x[i] = self->base[i] - share * self->descent[i];
-}
-
-/* Where an iteration stands. */
-typedef struct {
-    double size;  /* of the correction at the best iterate; infinite: none yet */
-    double share; /* of that correction which is tried */
-    int sharp;    /* the matrix is that of the best iterate */
-} Progress;
-
-/* The correction at x, with a new matrix where there is none that serves. */
-static TinkerStatus find_correction(Stepper *self, const TinkerState *state, double h, double limit, double *size)
-{
-    *size = INFINITY;
-    TinkerStatus status = find_residual(self, state, h, limit);
-    if (status == TINKER_OK && !self->factored) status = factor(self, h, limit);
-    if (status == TINKER_OK) status = solve(self, limit);
-    if (status == TINKER_OK) *size = norm(self->system, self->correction);
-    return status;
-}
-
-/* Makes x the best iterate, and goes on from it. */
-static void advance(Stepper *self, Progress *progress, double size, int sharp)
-{
-    double *correction = self->correction;
-    self->correction = self->descent;
-    self->descent = correction;
-    tinker_copy(self->system->size, self->x, self->base);
-    *progress = (Progress){size, 1.0, sharp};
-    descend(self, 1.0);
-}
-
-/* Goes back to the best iterate: for a new matrix, or else for a shorter way. Returns 0 where neither is left. */
-static int retreat(Stepper *self, Progress *progress)
-{
-    if (!isfinite(progress->size)) return 0;
-    if (!progress->sharp) {
-        tinker_copy(self->system->size, self->base, self->x);
-        self->factored = 0;
-        progress->size = INFINITY;
-        return 1;
-    }
-    progress->share *= 0.5;
-    descend(self, progress->share);
-    return progress->share > 1e-3;
-}
-
-static TinkerStatus find_acceleration(Stepper *self, const TinkerState *state, double h, double limit)
-{
-    Progress progress = {INFINITY, 1.0, 0};
-    tinker_copy(self->system->size, self->a, self->x);
-    for (int iteration = 0; iteration < NEWTON_CAP; iteration++) {
-        int sharp = !self->factored;
-        double size;
-        TinkerStatus status = find_correction(self, state, h, limit, &size);
-        int first = !isfinite(progress.size);
-        double gain = first ? 1.0 : size / progress.size, least = rounding(self, h);
-        if (status != TINKER_OK || !(size < progress.size)) {
-            /* what is left over may be rounding of large, balanced forces */
-            if (progress.sharp && progress.size < 1e4 * least) return place(self, state, h, limit);
-            if (!retreat(self, &progress)) return TINKER_RETRY_SMALLER;
-            continue;
-        }
-        advance(self, &progress, size, sharp);
-        if (self->linear || size <= least || gain * size <= (1.0 - gain) * least) return place(self, state, h, limit);
-        if (!first && gain > TINKER_SLOW_NEWTON) self->factored = 0;
-    }
-    return TINKER_RETRY_SMALLER;
-}
-
 /* The acceleration of a linear system, which the band solves for in one go. */
-static TinkerStatus find_linear_acceleration(Stepper *self, const TinkerState *state, double h, double limit)
+static TinkerStatus find_linear_acceleration(NewmarkStepper *self, const TinkerState *state, double h, double limit)
 {
     TinkerBandStart start = {state->q, state->v, self->a, self->behind};
     if (!self->factored) self->factored = tinker_linear_band_factor(self->band, &self->weights, h);
@@ -315,7 +103,7 @@ static TinkerStatus find_linear_acceleration(Stepper *self, const TinkerState *s
 /* Steps ---------------------------------------------------------------------------------------------------------- */
 
 /* The length of the step to work with. One that differs from the last by the rounding of t alone is the last one. */
-static double length_of_step(const Stepper *self, double t, double limit)
+static double length_of_step(const NewmarkStepper *self, double t, double limit)
 {
     double h = limit - t, rounded = 4.0 * DBL_EPSILON * fmax(fabs(t), fabs(limit));
     return fabs(h - self->h) <= rounded ? self->h : h;
@@ -329,7 +117,7 @@ static double lag(const TinkerNewmarkWeights *weights)
 
 /* Chooses weights and takes the acceleration of the state where none is carried over. As that does not lag, and one of
  * steps of another length lags by another time, such a step is one of average acceleration. */
-static TinkerStatus begin(Stepper *self, const TinkerState *state, double h)
+static TinkerStatus begin(NewmarkStepper *self, const TinkerState *state, double h)
 {
     const TinkerSystem *system = self->system;
     int changed = h != self->h, starts = !self->carried || (changed && lag(&self->own) != 0.0);
@@ -349,7 +137,7 @@ static TinkerStatus begin(Stepper *self, const TinkerState *state, double h)
 
 /* What the next step takes over: the acceleration that the forces give at the end, as x has it, and the method's own,
  * after a step of average acceleration between those of its two ends. */
-static void carry_over(Stepper *self)
+static void carry_over(NewmarkStepper *self)
 {
     const TinkerNewmarkWeights *w = &self->weights;
     double share = lag(&self->own) - lag(w), behind = w->mean_force, by = 1.0 / (1.0 - behind);
@@ -362,7 +150,7 @@ static void carry_over(Stepper *self)
     self->carried = 1;
 }
 
-static TinkerStatus end(Stepper *self, TinkerState *state, double h, double limit)
+static TinkerStatus end(NewmarkStepper *self, TinkerState *state, double h, double limit)
 {
     const TinkerSystem *system = self->system;
     TinkerStatus status = TINKER_OK;
@@ -383,7 +171,7 @@ static TinkerStatus end(Stepper *self, TinkerState *state, double h, double limi
 
 TinkerStatus tinker_newmark_step(void *data, TinkerState *state, double limit, TinkerStepReport *report)
 {
-    Stepper *self = data;
+    NewmarkStepper *self = data;
     TinkerStatus status = tinker_fixed_step_begin(state->t, limit, report);
     if (status != TINKER_OK) return status;
     if (self->refusal != NULL) {
@@ -395,7 +183,7 @@ TinkerStatus tinker_newmark_step(void *data, TinkerState *state, double limit, T
     status = begin(self, state, h);
     if (status == TINKER_OK)
         status = self->band != NULL ? find_linear_acceleration(self, state, h, limit)
-                                    : find_acceleration(self, state, h, limit);
+                                    : newmark_find_acceleration(self, state, h, limit);
     if (status == TINKER_OK) status = end(self, state, h, limit);
     if (status == TINKER_OK) {
         tinker_hermite_finish(&self->dense, state);
@@ -408,6 +196,6 @@ TinkerStatus tinker_newmark_step(void *data, TinkerState *state, double limit, T
 
 TinkerStatus tinker_newmark_interpolate(void *data, double t, double *q, double *v, double *books)
 {
-    Stepper *self = data;
+    NewmarkStepper *self = data;
     return tinker_hermite_interpolate(&self->dense, t, q, v, books);
 }
