@@ -3,18 +3,15 @@
 #include <math.h>
 #include <string.h>
 
-#include "physics/constraint/constraints.h"
 #include "physics/contact/contacts.h"
-#include "physics/event/contact-run.h"
-#include "physics/impulse/impulse.h"
 #include "physics/island/island-run.h"
-#include "physics/model/breaks.h"
 #include "physics/model/model-data.h"
 #include "physics/plan/plan-cost.h"
 #include "physics/plan/plan.h"
 #include "physics/plan/run-options.h"
 #include "physics/record/sample-times.h"
 #include "physics/run/island-runs.h"
+#include "physics/run/island-samples.h"
 #include "physics/run/island-steps.h"
 #include "physics/run/simulation.h"
 #include "physics/run/tolerances.h"
@@ -177,100 +174,6 @@ static gboolean call_back(TinkerIslandRuns *self, TinkerIslandRun *run, GError *
     return FALSE;
 }
 
-/* How the bodies of one island were turned by what they touched, among all. */
-static void collect_orientations(TinkerIslandRuns *self, const TinkerIslandRun *run, double t)
-{
-    gboolean impulses = tinker_method_solves_contact(run->choice.method);
-    for (int32_t i = 0; (run->contacts != NULL || impulses) && i < run->model->bodies; i++)
-        self->orientation[run->island->body_of[i]] = impulses ? tinker_impulse_orientation(run->stepper, i)
-                                                              : tinker_contact_run_orientation(run->contacts, i, t);
-}
-
-/* Where the bodies of one island are at t, among all. */
-static TinkerStatus collect(TinkerIslandRuns *self, TinkerIslandRun *run, double t)
-{
-    const TinkerModel *whole = self->model, *part = run->model;
-    if (part == whole) return tinker_island_run_state_at(run, t, self->sample_q, self->sample_v);
-    TinkerStatus status = tinker_island_run_state_at(run, t, self->part_q, self->part_v);
-    for (int32_t i = 0; i < part->bodies; i++) {
-        int32_t body = 2 * run->island->body_of[i];
-        for (int k = 0; k < 2; k++) {
-            self->sample_q[body + k] = self->part_q[2 * i + k] + (part->origin[k] - whole->origin[k]);
-            self->sample_v[body + k] = self->part_v[2 * i + k];
-        }
-    }
-    for (int32_t i = 2 * part->bodies; i < part->coordinates; i++) {
-        const int32_t at = tinker_model_turn_of(whole, run->island->body_of[tinker_model_moved_by(part, i)]);
-        self->sample_q[at] = self->part_q[i];
-        self->sample_v[at] = self->part_v[i];
-    }
-    return status;
-}
-
-/* The first row of each block of a model, by its number. (transfer full) */
-static int32_t *first_rows(const TinkerModel *model)
-{
-    const TinkerConstraints *all = &model->constraints;
-    int32_t *first = g_new0(int32_t, MAX(tinker_block_index_count(model->numbers), 1));
-    for (int32_t row = all->rows - 1; row >= 0; row--)
-        first[tinker_block_index_find(model->numbers, all->blocks[row])] = row;
-    return first;
-}
-
-/* The whole model's rows that hold in one direction only are slack as those of the islands; the rows of one block stand
- * together and have one order in all models. */
-static void gather_slack(TinkerIslandRuns *self)
-{
-    if (self->model->constraints.unilateral == NULL) return;
-    g_autofree int32_t *first = first_rows(self->model);
-    for (guint i = 0; i < self->runs->len; i++) {
-        const TinkerIslandRun *run = g_ptr_array_index(self->runs, i);
-        const TinkerConstraints *part = &run->model->constraints;
-        for (int32_t row = 0, begin = 0; part->unilateral != NULL && row < part->rows; row++) {
-            if (part->blocks[row] != part->blocks[begin]) begin = row;
-            const int32_t number = tinker_block_index_find(self->model->numbers, part->blocks[row]);
-            if (part->unilateral[row])
-                tinker_constraints_set_slack(self->model, first[number] + row - begin, part->slack[row]);
-        }
-    }
-}
-
-static gint64 count_contact_changes(const TinkerIslandRuns *self)
-{
-    gint64 changes = 0;
-    for (guint i = 0; i < self->runs->len; i++) {
-        const TinkerIslandRun *run = g_ptr_array_index(self->runs, i);
-        if (run->contacts != NULL) changes += tinker_contact_run_changes(run->contacts);
-    }
-    return changes;
-}
-
-/* Where the islands are stepped apart, the whole model's contacts are closed as theirs are. */
-static gboolean gather_contacts(TinkerIslandRuns *self, GError **error)
-{
-    TinkerContacts *all = self->model->contacts;
-    if (all == NULL || self->runs->len < 2) return TRUE;
-    gint64 changes = count_contact_changes(self);
-    if (changes == self->contact_changes) return TRUE;
-    self->contact_changes = changes;
-    g_array_set_size(all->closed, 0);
-    for (guint i = 0; i < self->runs->len; i++) {
-        const TinkerIslandRun *run = g_ptr_array_index(self->runs, i);
-        const TinkerContacts *part = run->model->contacts;
-        for (guint k = 0; part != NULL && k < part->closed->len; k++) {
-            TinkerContact contact = *tinker_contacts_closed(part, k);
-            const int32_t body = run->island->body_of[contact.body];
-            contact.plate = tinker_contacts_plate_of_part(all, part, &contact, body);
-            contact.body = body;
-            g_array_append_val(all->closed, contact);
-        }
-    }
-    gather_slack(self);
-    if (tinker_contacts_list_rows(all) == TINKER_OK) return TRUE;
-    g_set_error_literal(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_MEMORY, self->model->failure);
-    return FALSE;
-}
-
 /* What adds up along the island's last step. */
 static gboolean follow_paths(TinkerIslandRuns *self, guint number, double t, GError **error)
 {
@@ -304,9 +207,8 @@ static gboolean place_island(TinkerIslandRuns *self, guint number, double t, gbo
     if (!follow_paths(self, number, t, error)) return FALSE;
     if (passes && t > 0 && run->state.t == t && !tinker_island_run_pass_instant(run, steps_end(self, t), error))
         return FALSE;
-    TinkerStatus status = collect(self, run, t);
+    TinkerStatus status = tinker_island_runs_collect(self, run, t);
     if (status != TINKER_OK) return tinker_island_run_fail_at(run, t, run->model->failure, error);
-    collect_orientations(self, run, t);
     return TRUE;
 }
 
@@ -318,7 +220,7 @@ gboolean tinker_island_runs_place(TinkerIslandRuns *self, double t, double sampl
             if (!tinker_island_runs_step_towards(self, i, sample, error)) return FALSE;
         if (!place_island(self, i, t, passes, error)) return FALSE;
     }
-    return gather_contacts(self, error);
+    return tinker_island_runs_gather_contacts(self, error);
 }
 
 /* A sample that falls on a break is taken behind it: at the instant of a jump the state after it counts. */
@@ -333,7 +235,7 @@ gboolean tinker_island_runs_advance(TinkerIslandRuns *self, double t, GError **e
         if (!place_island(self, i, t, TRUE, error)) return FALSE;
     }
     self->sample_time = t;
-    return gather_contacts(self, error);
+    return tinker_island_runs_gather_contacts(self, error);
 }
 
 gboolean tinker_island_runs_step_behind(TinkerIslandRuns *self, GError **error)
@@ -344,62 +246,6 @@ gboolean tinker_island_runs_step_behind(TinkerIslandRuns *self, GError **error)
         if (run->state.t < behind->state.t) behind = run;
     }
     return tinker_island_run_step(behind, steps_end(self, behind->state.t), error);
-}
-
-/* Samples ---------------------------------------------------------------------------------------------------------- */
-
-/* The whole model has its own waveforms where it is not stepped itself: they enter the piece that t begins or lies in.
- */
-static void enter_piece_at(TinkerIslandRuns *self, double t)
-{
-    const TinkerIslandRun *first = g_ptr_array_index(self->runs, 0);
-    if (first->model == self->model || t < self->piece_end) return;
-    double horizon = MAX(self->times.duration, t + 1.0);
-    double next = tinker_model_next_break(self->model, t, horizon);
-    self->piece_end = MIN(next, horizon);
-    tinker_model_enter_piece(self->model, 0.5 * (t + self->piece_end));
-}
-
-/* Likewise the piece that ends at t or holds it. */
-static void enter_piece_before(TinkerIslandRuns *self, double t)
-{
-    if (t != self->piece_end) enter_piece_at(self, t * (1 - TINKER_SAME_INSTANT));
-}
-
-static TinkerStatus sample(TinkerIslandRuns *self, double t)
-{
-    const gint64 evaluations = self->model->evaluations;
-    TinkerStatus status = tinker_sampler_values(self->sampler, t, self->sample_q, self->sample_v, self->values);
-    if (status == TINKER_OK && self->along != NULL) status = tinker_along_run_values(self->along, t, self->values);
-    self->model->evaluations = evaluations;
-    return status;
-}
-
-TinkerStatus tinker_island_runs_sample(TinkerIslandRuns *self, double t)
-{
-    enter_piece_at(self, t);
-    return sample(self, t);
-}
-
-TinkerStatus tinker_island_runs_sample_before(TinkerIslandRuns *self, double t)
-{
-    enter_piece_before(self, t);
-    return sample(self, t);
-}
-
-double tinker_island_runs_wound_length(TinkerIslandRuns *self, TinkerBlockId block)
-{
-    for (guint i = 0; i < self->runs->len; i++) {
-        TinkerIslandRun *run = g_ptr_array_index(self->runs, i);
-        /* a state may cost a projection: of one island alone */
-        if (run->model->constraints.unilateral == NULL || tinker_block_index_find(run->model->numbers, block) < 0 ||
-            tinker_island_run_state_at(run, self->sample_time, self->part_q, self->part_v) != TINKER_OK)
-            continue;
-        const double length =
-            tinker_constraints_wound_length(run->model, self->sample_time, self->part_q, self->part_v, block);
-        if (!isnan(length)) return length;
-    }
-    return NAN;
 }
 
 gboolean tinker_island_runs_close(TinkerIslandRuns *self, GError **error)
