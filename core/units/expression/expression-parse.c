@@ -4,33 +4,20 @@
  *     product    = unary { ("*" | "/") unary }
  *     unary      = ("+" | "-") unary | power
  *     power      = primary [ "^" unary ]
- *     primary    = number | name | "{" quantity "}" | "t" | "pi" | function "(" comparison { "," comparison } ")" | "("
- * comparison ")" What is made of it, instructions or a tree, is the reader's affair. Depth and length are limited, so
- * no text can exhaust the stack or the memory. */
+ *     primary    = number | name | "{" quantity "}" | "t" | "pi" | "(" comparison ")"
+ *                | function "(" comparison { "," comparison } ")"
+ *
+ * What is made of it, instructions or a tree, is the reader's affair. Depth and length are limited, so no text can
+ * exhaust the stack or the memory. */
+#include "units/expression/expression-parse-private.h"
+
 #include <glib/gi18n-lib.h>
 #include <math.h>
 #include <string.h>
 
-#include "units/expression/expression-program.h"
-#include "units/expression/waveform-error.h"
-#include "units/quantity/units.h"
-
 #define PI           3.14159265358979323846
 #define LONGEST_TEXT 65536 /* bytes */
 #define DEEPEST      200   /* levels of brackets, signs and powers */
-#define LONGEST_NAME 32
-
-typedef struct {
-    const char *text;
-    const char *at;
-    const TinkerReader *reader;
-    void *into;
-    const char *const *names;  /* that the text may use beside t, pi and functions; NULL: none */
-    TinkerReferenceFunc refer; /* says what may stand in braces; NULL: nothing */
-    void *data;
-    int depth;
-    GError **error;
-} Parser;
 
 static int parse_comparison(Parser *parser);
 static int parse_unary(Parser *parser);
@@ -38,92 +25,22 @@ static int parse_unary(Parser *parser);
 /* Every parse function answers the reader's handle of the value, or FAILED with the error set. */
 #define FAILED TINKER_READER_FAILED
 
-static glong column_of(const Parser *parser, const char *place)
-{
-    return g_utf8_pointer_to_offset(parser->text, place) + 1;
-}
-
-G_GNUC_PRINTF(4, 5)
-static int fail(Parser *parser, TinkerWaveformError code, const char *place, const char *format, ...)
-{
-    va_list arguments;
-    va_start(arguments, format);
-    g_autofree char *message = g_strdup_vprintf(format, arguments);
-    va_end(arguments);
-    g_set_error(parser->error, TINKER_WAVEFORM_ERROR, code, "column %ld: %s", column_of(parser, place), message);
-    return FAILED;
-}
-
-static void skip_blanks(Parser *parser)
-{
-    while (*parser->at == ' ' || *parser->at == '\t' || *parser->at == '\n' || *parser->at == '\r')
-        parser->at++;
-}
-
 static gboolean accept(Parser *parser, const char *sign)
 {
-    skip_blanks(parser);
+    parser_skip_blanks(parser);
     if (!g_str_has_prefix(parser->at, sign)) return FALSE;
     parser->at += strlen(sign);
     return TRUE;
 }
 
-static gboolean is_of_name(gunichar c)
-{
-    return c == '_' || (c < 128 ? g_ascii_isalnum((char)c) : g_unichar_isalpha(c));
-}
-
-static gsize name_length(const char *at)
-{
-    const char *end = at;
-    while (is_of_name(g_utf8_get_char(end)))
-        end = g_utf8_next_char(end);
-    return (gsize)(end - at);
-}
-
-/* What stands at `at`, quoted for a message: a name, a number, a character, or "the end". (transfer full) */
-static char *quote(const char *at)
-{
-    if (*at == '\0') return g_strdup(_("the end"));
-    gsize length = name_length(at);
-    if (length == 0) length = (gsize)(g_utf8_next_char(at) - at);
-    return g_strdup_printf("\"%.*s%s\"", (int)MIN(length, LONGEST_NAME), at, length > LONGEST_NAME ? "..." : "");
-}
-
-/* Something stands where none of the grammar's signs can: says what was probably meant. */
-static int fail_unexpected(Parser *parser, const char *expected)
-{
-    static const struct {
-        const char *written, *meant;
-    } signs[] = {{"−", "-"},
-                 {"–", "-"},
-                 {"×", "*"},
-                 {"·", "*"},
-                 {"÷", "/"},
-                 {"≤", "<="},
-                 {"≥", ">="},
-                 {"≠", "!="},
-                 {"=", "=="},
-                 {"%", "mod(a, b)"},
-                 {"&", N_("a product")},
-                 {"|", "max(a, b)"}};
-    skip_blanks(parser);
-    g_autofree char *found = quote(parser->at);
-    for (gsize i = 0; i < G_N_ELEMENTS(signs); i++)
-        if (g_str_has_prefix(parser->at, signs[i].written))
-            return fail(parser, TINKER_WAVEFORM_ERROR_SYNTAX, parser->at, _("%s is not known; did you mean %s?"), found,
-                        _(signs[i].meant));
-    return fail(parser, TINKER_WAVEFORM_ERROR_SYNTAX, parser->at, _("%s is expected, not %s"), expected, found);
-}
-
 static gboolean enter(Parser *parser)
 {
     if (++parser->depth > DEEPEST) {
-        fail(parser, TINKER_WAVEFORM_ERROR_SYNTAX, parser->at, _("nested more than %d levels deep"), DEEPEST);
+        parser_fail(parser, TINKER_WAVEFORM_ERROR_SYNTAX, parser->at, _("nested more than %d levels deep"), DEEPEST);
         return FALSE;
     }
     if (parser->reader->has_room(parser->into)) return TRUE;
-    fail(parser, TINKER_WAVEFORM_ERROR_SYNTAX, parser->at, _("the expression is too long"));
+    parser_fail(parser, TINKER_WAVEFORM_ERROR_SYNTAX, parser->at, _("the expression is too long"));
     return FALSE;
 }
 
@@ -142,40 +59,12 @@ static int parse_number(Parser *parser)
     const double number = g_ascii_strtod(digits, &read);
     if (*read != '\0' || strcmp(digits, ".") == 0) {
         parser->at = start + (read - digits);
-        return fail_unexpected(parser, _("a number such as 1.5"));
+        return parser_fail_unexpected(parser, _("a number such as 1.5"));
     }
     if (!isfinite(number))
-        return fail(parser, TINKER_WAVEFORM_ERROR_SYNTAX, start, _("the number is larger than 1.8e308"));
+        return parser_fail(parser, TINKER_WAVEFORM_ERROR_SYNTAX, start, _("the number is larger than 1.8e308"));
     parser->at = end;
     return parser->reader->number(parser->into, number);
-}
-
-static int fail_name(Parser *parser, const char *start, const char *name)
-{
-    g_autoptr(GPtrArray) candidates = g_ptr_array_new();
-    g_autoptr(GString) all = g_string_new("t, pi");
-    g_ptr_array_add(candidates, (gpointer) "t");
-    g_ptr_array_add(candidates, (gpointer) "pi");
-    for (const char *const *each = parser->names; each != NULL && *each != NULL; each++) {
-        g_ptr_array_add(candidates, (gpointer)*each);
-        g_string_append_printf(all, ", %s", *each);
-    }
-    for (const TinkerFunction *function = tinker_functions; function->name != NULL; function++) {
-        g_ptr_array_add(candidates, (gpointer)function->name);
-        g_string_append_printf(all, ", %s", function->name);
-    }
-    g_ptr_array_add(candidates, NULL);
-    g_autofree char *quoted = quote(start);
-    const char *nearest = tinker_nearest_word(name, (const char *const *)candidates->pdata);
-    if (nearest != NULL)
-        return fail(parser, TINKER_WAVEFORM_ERROR_UNKNOWN_NAME, start, _("unknown name %s; did you mean \"%s\"?"),
-                    quoted, nearest);
-    if (parser->refer != NULL) /* where a quantity is what most often is meant */
-        return fail(parser, TINKER_WAVEFORM_ERROR_UNKNOWN_NAME, start,
-                    _("unknown name %s (a quantity of a block stands in braces, as in {Mass 0.x}; without braces: %s)"),
-                    quoted, all->str);
-    return fail(parser, TINKER_WAVEFORM_ERROR_UNKNOWN_NAME, start, _("unknown name %s; known are %s"), quoted,
-                all->str);
 }
 
 static int parse_branch(Parser *parser, int truth, gboolean taken)
@@ -195,10 +84,7 @@ static gboolean parse_arguments(Parser *parser, const TinkerFunction *function, 
     do {
         const char *start = parser->at;
         if (count == function->arguments) {
-            fail(parser, TINKER_WAVEFORM_ERROR_SYNTAX, start,
-                 g_dngettext(GETTEXT_PACKAGE, "%s takes %d argument: %s", "%s takes %d arguments: %s",
-                             (gulong)function->arguments),
-                 function->name, function->arguments, function->form);
+            parser_fail_arguments(parser, function, start);
             return FALSE;
         }
         const int value =
@@ -207,15 +93,12 @@ static gboolean parse_arguments(Parser *parser, const TinkerFunction *function, 
         arguments[count] = conditional && count == 0 ? parser->reader->condition(parser->into, value) : value;
         count++;
     } while (accept(parser, ","));
-    if (count < function->arguments && (skip_blanks(parser), *parser->at == ')')) {
-        fail(parser, TINKER_WAVEFORM_ERROR_SYNTAX, parser->at,
-             g_dngettext(GETTEXT_PACKAGE, "%s takes %d argument: %s", "%s takes %d arguments: %s",
-                         (gulong)function->arguments),
-             function->name, function->arguments, function->form);
+    if (count < function->arguments && (parser_skip_blanks(parser), *parser->at == ')')) {
+        parser_fail_arguments(parser, function, parser->at);
         return FALSE;
     }
     if (accept(parser, ")")) return TRUE;
-    fail_unexpected(parser, _("an operator, \",\" or \")\""));
+    parser_fail_unexpected(parser, _("an operator, \",\" or \")\""));
     return FALSE;
 }
 
@@ -223,8 +106,8 @@ static int parse_call(Parser *parser, const TinkerFunction *function, const char
 {
     int arguments[TINKER_MOST_ARGUMENTS];
     if (!accept(parser, "("))
-        return fail(parser, TINKER_WAVEFORM_ERROR_SYNTAX, start, _("%s is a function, write %s"), function->name,
-                    function->form);
+        return parser_fail(parser, TINKER_WAVEFORM_ERROR_SYNTAX, start, _("%s is a function, write %s"), function->name,
+                           function->form);
     if (!parse_arguments(parser, function, arguments)) return FAILED;
     return parser->reader->function(parser->into, function, arguments);
 }
@@ -232,14 +115,14 @@ static int parse_call(Parser *parser, const TinkerFunction *function, const char
 static int parse_name(Parser *parser)
 {
     const char *start = parser->at;
-    const gsize length = name_length(start);
+    const gsize length = parser_name_length(start);
     g_autofree char *name = g_strndup(start, length);
     parser->at += length;
     if (parser->names != NULL && g_strv_contains(parser->names, name)) return parser->reader->name(parser->into, name);
     if (strcmp(name, "t") == 0) return parser->reader->time(parser->into);
     if (strcmp(name, "pi") == 0) return parser->reader->number(parser->into, PI);
     const TinkerFunction *function = tinker_function_lookup(name);
-    return function != NULL ? parse_call(parser, function, start) : fail_name(parser, start, name);
+    return function != NULL ? parse_call(parser, function, start) : parser_fail_name(parser, start, name);
 }
 
 /* What stands in braces is a name, whatever it is made of. */
@@ -248,26 +131,28 @@ static int parse_reference(Parser *parser)
     const char *start = parser->at, *end = strchr(start, '}');
     g_autofree char *why = NULL;
     if (parser->refer == NULL)
-        return fail(parser, TINKER_WAVEFORM_ERROR_SYNTAX, start, _("quantities in braces are not known here, only t"));
+        return parser_fail(parser, TINKER_WAVEFORM_ERROR_SYNTAX, start,
+                           _("quantities in braces are not known here, only t"));
     if (end == NULL)
-        return fail(parser, TINKER_WAVEFORM_ERROR_SYNTAX, start, _("\"{\" is not closed (as in {Mass 0.x})"));
+        return parser_fail(parser, TINKER_WAVEFORM_ERROR_SYNTAX, start, _("\"{\" is not closed (as in {Mass 0.x})"));
     g_autofree char *symbol = g_strndup(start, (gsize)(end + 1 - start));
     if (!parser->refer(symbol, parser->data, &why))
-        return fail(parser, TINKER_WAVEFORM_ERROR_UNKNOWN_NAME, start, "%s: %s", symbol, why);
+        return parser_fail(parser, TINKER_WAVEFORM_ERROR_UNKNOWN_NAME, start, "%s: %s", symbol, why);
     parser->at = end + 1;
     return parser->reader->name(parser->into, symbol);
 }
 
 static int parse_primary(Parser *parser)
 {
-    skip_blanks(parser);
+    parser_skip_blanks(parser);
     if (*parser->at == '{') return parse_reference(parser);
     if (g_ascii_isdigit(*parser->at) || *parser->at == '.') return parse_number(parser);
-    if (g_ascii_isalpha(*parser->at) || *parser->at == '_' || name_length(parser->at) > 0) return parse_name(parser);
-    if (!accept(parser, "(")) return fail_unexpected(parser, _("a number, t, a function or \"(\""));
+    if (g_ascii_isalpha(*parser->at) || *parser->at == '_' || parser_name_length(parser->at) > 0)
+        return parse_name(parser);
+    if (!accept(parser, "(")) return parser_fail_unexpected(parser, _("a number, t, a function or \"(\""));
     const int value = parse_comparison(parser);
     if (value == FAILED || accept(parser, ")")) return value;
-    return fail_unexpected(parser, _("an operator or \")\""));
+    return parser_fail_unexpected(parser, _("an operator or \")\""));
 }
 
 static int parse_power(Parser *parser)
@@ -339,36 +224,21 @@ static int parse_comparison(Parser *parser)
     if (b == FAILED) return FAILED;
     const char *behind = parser->at;
     if (accept_comparison(parser) >= 0)
-        return fail(parser, TINKER_WAVEFORM_ERROR_SYNTAX, behind,
-                    _("comparisons do not chain; did you mean a product, (a < b)*(b < c)?"));
+        return parser_fail(parser, TINKER_WAVEFORM_ERROR_SYNTAX, behind,
+                           _("comparisons do not chain; did you mean a product, (a < b)*(b < c)?"));
     return parser->reader->comparison(parser->into, (TinkerComparison)sign, a, b);
-}
-
-/* Something is left behind a whole expression. */
-static int fail_behind(Parser *parser)
-{
-    if (*parser->at == ',')
-        return fail(parser, TINKER_WAVEFORM_ERROR_SYNTAX, parser->at,
-                    _("a comma stands between the arguments of a function only; decimals have a point, as in 3.5"));
-    if (*parser->at == ')') return fail(parser, TINKER_WAVEFORM_ERROR_SYNTAX, parser->at, _("\")\" closes no bracket"));
-    if (*parser->at == '(' || g_ascii_isalnum(*parser->at)) {
-        g_autofree char *found = quote(parser->at);
-        return fail(parser, TINKER_WAVEFORM_ERROR_SYNTAX, parser->at,
-                    _("an operator is expected before %s; did you mean a product, *?"), found);
-    }
-    return fail_unexpected(parser, _("an operator or the end"));
 }
 
 static gboolean check_text(Parser *parser)
 {
     const char *end;
     if (strlen(parser->text) > LONGEST_TEXT) {
-        fail(parser, TINKER_WAVEFORM_ERROR_SYNTAX, parser->text, _("the expression is longer than %d bytes"),
-             LONGEST_TEXT);
+        parser_fail(parser, TINKER_WAVEFORM_ERROR_SYNTAX, parser->text, _("the expression is longer than %d bytes"),
+                    LONGEST_TEXT);
         return FALSE;
     }
     if (g_utf8_validate(parser->text, -1, &end)) return TRUE;
-    fail(parser, TINKER_WAVEFORM_ERROR_SYNTAX, end, _("the text is not UTF-8 here"));
+    parser_fail(parser, TINKER_WAVEFORM_ERROR_SYNTAX, end, _("the text is not UTF-8 here"));
     return FALSE;
 }
 
@@ -384,8 +254,8 @@ int tinker_expression_read(const char *text, const TinkerReadable *names, const 
     if (!check_text(&parser)) return FAILED;
     const int value = parse_comparison(&parser);
     if (value == FAILED) return FAILED;
-    skip_blanks(&parser);
-    return *parser.at == '\0' ? value : fail_behind(&parser);
+    parser_skip_blanks(&parser);
+    return *parser.at == '\0' ? value : parser_fail_behind(&parser);
 }
 
 const char *tinker_expression_find_equals(const char *text)
