@@ -1,30 +1,25 @@
-/* momentum, moment, translation, rotation: what a scene's own forces cannot do.
+/* translation, rotation: moved or turned with all of its scene, a block answers the same.
  *
- * A force on one body alone, one of the category "force", and a field in which bodies do not feel one another, act from
- * outside: they may change momentum, and depend on the place. Turned with the scene they have to be all the same, as
- * far as their properties tell a direction: properties that are vectors, and angles, are turned along where that
- * explains the answer. An angle between two arms does not turn, the angle of a force does; which is which is found by
- * trying. */
+ * What acts from outside (see momentum) may depend on the place. Turned with the scene it has to be all the same, as
+ * far as its properties tell a direction: properties that are vectors, and angles, are turned along where that explains
+ * the answer. An angle between two arms does not turn, the angle of a force does; which is which is found by trying. */
 #include <math.h>
 #include <string.h>
 
-#include "conformance/probe/state.h"
+#include "conformance/rule/rules-symmetry-private.h"
 
 #define ROUNDS        3
 #define CLOSE         1e-8 /* of the largest of an instance's numbers */
 #define MOST_PARTNERS 6    /* properties that are tried in all combinations */
 
-/* Whether it acts between things of a scene, and not from outside. A force that follows what it acts on (a jet, held
- * along the line between two ends) looks at several ends, and acts from outside all the same: its category says so. */
-static gboolean is_internal(const TinkerBlockClass *block_class)
+gboolean symmetry_is_internal(const TinkerBlockClass *block_class)
 {
     const TinkerPhysics *physics = block_class->physics;
     if (physics->field != NULL) return physics->field->couples_bodies != 0;
     return block_class->type->least_ends >= 2 && strcmp(block_class->type->category, TINKER_FORCE) != 0;
 }
 
-/* The function whose answer is looked at; NULL with the reason told. */
-static const KitFunction *main_function(KitCheck *check, const GArray *functions)
+const KitFunction *symmetry_function(KitCheck *check, const GArray *functions)
 {
     const TinkerPhysics *physics = check->block_class->physics;
     const char *reason = NULL;
@@ -44,136 +39,6 @@ static const KitFunction *main_function(KitCheck *check, const GArray *functions
     return kit_function(functions, physics->constraint != NULL ? "rows_at" : "force");
 }
 
-static const KitFunction *force_function(KitCheck *check, const GArray *functions)
-{
-    const KitFunction *function = main_function(check, functions);
-    if (function == NULL) return NULL;
-    if (check->block_class->physics->constraint != NULL)
-        kit_skip(check, "for a constraint it follows from translation, rotation and jacobian");
-    else if (!is_internal(check->block_class))
-        kit_skip(check, check->block_class->physics->field != NULL
-                            ? "a field that does not couple bodies acts from outside"
-                            : "a force element of one end, or of the category \"force\", acts from outside");
-    return kit_decided(check) ? NULL : function;
-}
-
-/* Sums ---------------------------------------------------------------------------------------------------------------
- */
-
-typedef struct {
-    double force[2], moment, size; /* size: sum of the magnitudes of all forces */
-    double reach;                  /* largest distance from the middle */
-    double turning;                /* sum of the magnitudes of all torques */
-} Sum;
-
-/* `torques` of the ends, or NULL. */
-static Sum sum_of(const TinkerPoint *points, const double *force, const double *torques, int32_t count)
-{
-    Sum sum = {{0, 0}, 0, 0, 0, 0};
-    double x = 0, y = 0;
-    for (int32_t i = 0; i < count; i++) {
-        x += points[i].x / count;
-        y += points[i].y / count;
-    }
-    for (int32_t i = 0; i < count; i++) {
-        const double dx = points[i].x - x, dy = points[i].y - y;
-        sum.force[0] += force[2 * i];
-        sum.force[1] += force[2 * i + 1];
-        sum.moment += dx * force[2 * i + 1] - dy * force[2 * i];
-        sum.size += hypot(force[2 * i], force[2 * i + 1]);
-        sum.reach = fmax(sum.reach, hypot(dx, dy));
-        if (torques == NULL) continue;
-        sum.moment += torques[i];
-        sum.turning += fabs(torques[i]);
-    }
-    return sum;
-}
-
-static gboolean is_zero(double value, double size)
-{
-    return fabs(value) <= CLOSE * size;
-}
-
-static void judge_sum(KitCheck *check, const KitState *state, int32_t instance, Sum sum, gboolean moment)
-{
-    g_autofree char *values = kit_state_describe(state, instance);
-    const gboolean balanced = is_zero(hypot(sum.force[0], sum.force[1]), sum.size);
-    if (moment && !balanced)
-        kit_skip(check, "the forces do not sum to zero, so that their moment depends on the point: see momentum");
-    else if (moment && !is_zero(sum.moment, sum.size * sum.reach + sum.turning))
-        kit_fail(check, "the forces have the moment %.6g N m about the middle of the ends, 0 was expected (%s)",
-                 sum.moment, values);
-    else if (!moment && !balanced)
-        kit_fail(check, "the forces sum to (%.6g, %.6g) N, 0 was expected (%s)", sum.force[0], sum.force[1], values);
-}
-
-static void try_sums(KitCheck *check, gboolean moment)
-{
-    g_autoptr(GArray) functions = kit_functions(check->block_class);
-    const KitFunction *function = force_function(check, functions);
-    for (int round = 0; round < ROUNDS && function != NULL && !kit_decided(check); round++) {
-        g_autoptr(KitState) state = kit_state_new(check, KIT_COUNT);
-        g_autoptr(KitAnswer) answer = state == NULL ? NULL : kit_call_well(check, function, state);
-        if (answer == NULL) return;
-        if (function->outputs[0].extent == KIT_BODIES) {
-            judge_sum(check, state, -1, sum_of(state->bodies, answer->values[0], NULL, state->body_count), moment);
-            continue;
-        }
-        for (int32_t i = 0; i < state->count && !kit_decided(check); i++) {
-            const int32_t from = state->offsets[i];
-            judge_sum(check, state, i,
-                      sum_of(state->points + from, answer->values[0] + 2 * from,
-                             function->output_count > 1 ? answer->values[1] + from : NULL,
-                             state->offsets[i + 1] - from),
-                      moment);
-        }
-    }
-}
-
-void kit_try_momentum(KitCheck *check)
-{
-    try_sums(check, FALSE);
-}
-
-void kit_try_moment(KitCheck *check)
-{
-    try_sums(check, TRUE);
-}
-
-/* Moving and turning --------------------------------------------------------------------------------------------------
- */
-
-typedef struct {
-    gboolean turn; /* else shift */
-    double by[2];  /* the shift; or cosine and sine of the turn */
-    double angle;
-} Change;
-
-static void change_place(const Change *change, double *x, double *y)
-{
-    const double from_x = *x, from_y = *y;
-    if (!change->turn) {
-        *x += change->by[0];
-        *y += change->by[1];
-        return;
-    }
-    *x = change->by[0] * from_x - change->by[1] * from_y;
-    *y = change->by[1] * from_x + change->by[0] * from_y;
-}
-
-static void change_direction(const Change *change, double *x, double *y)
-{
-    if (change->turn) change_place(change, x, y);
-}
-
-static void change_points(const Change *change, TinkerPoint *points, int32_t count)
-{
-    for (int32_t i = 0; i < count; i++) {
-        change_place(change, &points[i].x, &points[i].y);
-        change_direction(change, &points[i].vx, &points[i].vy);
-    }
-}
-
 /* Whether a property may take part: as a vector, as an angle of a direction, as a place. The phase of a waveform is an
  * angle of another kind. */
 static gboolean may_take_part(const TinkerBlockClass *block_class, int32_t number, gboolean turn)
@@ -186,18 +51,6 @@ static gboolean may_take_part(const TinkerBlockClass *block_class, int32_t numbe
     for (int32_t i = 0; i < block_class->property_count; i++)
         if (g_strcmp0(block_class->properties[i].phase, property->id) == 0) return FALSE;
     return d.mass == 0 && d.length == 0 && d.time == 0 && d.angle == 1;
-}
-
-static void change_property(KitState *state, int32_t number, const Change *change)
-{
-    const TinkerPropertyType *property = &state->block_class->properties[number];
-    double *const *columns = state->columns + state->block_class->first_columns[number];
-    for (int32_t i = 0; i < state->count; i++) {
-        if (property->kind == TINKER_KIND_VECTOR)
-            change_place(change, &columns[0][i], &columns[1][i]);
-        else
-            columns[0][i] += change->angle;
-    }
 }
 
 /* Largest difference, relative to the largest number of the instance. */
@@ -224,30 +77,6 @@ static double miss_of(const KitFunction *function, const KitState *state, const 
     return worst;
 }
 
-/* Forces and Jacobians turn along; numbers stay. */
-static void change_answer(const KitFunction *function, KitAnswer *answer, const Change *change)
-{
-    for (int k = 0; k < function->output_count; k++)
-        for (gsize i = 0; function->outputs[k].width == 2 && i + 1 < answer->entries[k]; i += 2)
-            change_direction(change, &answer->values[k][i], &answer->values[k][i + 1]);
-}
-
-/* The first two rows of a joint may be the two components of one vector, and then turn along, too: g and drift, and of
- * the Jacobian each number with that of the other row. */
-static void change_joint_rows(const KitFunction *function, const KitState *state, KitAnswer *answer,
-                              const Change *change)
-{
-    const int32_t rows = kit_state_rows(state);
-    for (int k = 0; k < function->output_count; k++) {
-        const gsize all = answer->entries[k] / (gsize)MAX(state->count, 1), one = all / (gsize)rows;
-        for (int32_t i = 0; i < state->count; i++)
-            for (gsize c = 0; c < one; c++) {
-                double *first = &answer->values[k][(gsize)i * all + c];
-                change_direction(change, first, first + one);
-            }
-    }
-}
-
 static gboolean is_joint(const KitState *state)
 {
     const TinkerConstraint *constraint = state->block_class->physics->constraint;
@@ -255,19 +84,19 @@ static gboolean is_joint(const KitState *state)
 }
 
 static double miss_with(KitCheck *check, const KitFunction *function, const KitState *state, const KitAnswer *expected,
-                        const Change *change, const int32_t *partners, guint taking_part)
+                        const SymmetryChange *change, const int32_t *partners, guint taking_part)
 {
     g_autoptr(KitState) changed = kit_state_copy(state);
-    change_points(change, changed->points, kit_state_end_count(changed));
-    change_points(change, changed->placed, kit_state_end_count(changed));
-    change_points(change, changed->bodies, changed->body_count);
+    symmetry_change_points(change, changed->points, kit_state_end_count(changed));
+    symmetry_change_points(change, changed->placed, kit_state_end_count(changed));
+    symmetry_change_points(change, changed->bodies, changed->body_count);
     for (int32_t e = 0; change->turn && e < kit_state_end_count(changed); e++) {
         if (!changed->has_angle[e]) continue;
         changed->poses[e].angle += change->angle;
         changed->placed_poses[e].angle += change->angle;
     }
     for (int k = 0; k < MOST_PARTNERS; k++)
-        if (taking_part & 1u << k) change_property(changed, partners[k], change);
+        if (taking_part & 1u << k) symmetry_change_property(changed, partners[k], change);
     g_strlcpy(changed->label, change->turn ? "turned values" : "shifted values", sizeof changed->label);
     const char *failure;
     if (kit_state_prepare(changed, &failure) != TINKER_OK) return INFINITY;
@@ -289,7 +118,7 @@ static char *names_of(const TinkerBlockClass *block_class, const int32_t *partne
 static void report_miss(KitCheck *check, double miss, gboolean turn)
 {
     const char *what = turn ? "turned" : "shifted";
-    if (is_internal(check->block_class))
+    if (symmetry_is_internal(check->block_class))
         kit_fail(check, "with the scene %s, the answer differs by %.3g of its size, whichever of its properties %s",
                  what, miss, turn ? "turn along" : "move along");
     else
@@ -314,13 +143,13 @@ static void try_change(KitCheck *check, const KitFunction *function, gboolean tu
     double misses[1 << MOST_PARTNERS] = {0};
     for (int round = 0; round < ROUNDS; round++) {
         const double angle = g_rand_double_range(check->random, 0.3, 2.8);
-        const Change change = {turn, {turn ? cos(angle) : 7.25, turn ? sin(angle) : -3.5}, angle};
+        const SymmetryChange change = {turn, {turn ? cos(angle) : 7.25, turn ? sin(angle) : -3.5}, angle};
         g_autoptr(KitState) state = kit_state_new(check, KIT_COUNT);
         if (turn && state != NULL) let_all_turn(state);
         g_autoptr(KitAnswer) expected = state == NULL ? NULL : kit_call_well(check, function, state);
         if (expected == NULL) return;
-        change_answer(function, expected, &change);
-        if (turn && is_joint(state)) change_joint_rows(function, state, expected, &change);
+        symmetry_change_answer(function, expected, &change);
+        if (turn && is_joint(state)) symmetry_change_joint_rows(function, state, expected, &change);
         for (guint taking_part = 0; taking_part < 1u << count; taking_part++)
             misses[taking_part] =
                 fmax(misses[taking_part], miss_with(check, function, state, expected, &change, partners, taking_part));
@@ -369,7 +198,7 @@ static void try_origin(KitCheck *check, const KitFunction *function)
 void kit_try_translation(KitCheck *check)
 {
     g_autoptr(GArray) functions = kit_functions(check->block_class);
-    const KitFunction *function = main_function(check, functions);
+    const KitFunction *function = symmetry_function(check, functions);
     if (function != NULL) try_origin(check, function);
     if (function != NULL && !kit_decided(check)) try_change(check, function, FALSE);
 }
@@ -377,6 +206,6 @@ void kit_try_translation(KitCheck *check)
 void kit_try_rotation(KitCheck *check)
 {
     g_autoptr(GArray) functions = kit_functions(check->block_class);
-    const KitFunction *function = main_function(check, functions);
+    const KitFunction *function = symmetry_function(check, functions);
     if (function != NULL) try_change(check, function, TRUE);
 }
