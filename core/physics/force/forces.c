@@ -246,3 +246,9 @@ TinkerStatus tinker_model_applied(TinkerModel *model, double *a, gboolean books)
     if (status == TINKER_OK) tinker_share_range(model->bodies, accelerate, &(Acceleration){model, a});
     return status;
 }
+
+gboolean tinker_model_feels_velocities(const TinkerModel *model)
+{
+    return model->lines.any_damping || model->field_drag != 0 || model->asked_lines->len > 0 ||
+           model->asked_forces->len > 0 || model->asked_fields->len > 0;
+}

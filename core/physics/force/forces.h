@@ -36,6 +36,9 @@ TinkerStatus tinker_model_refuse_forces(TinkerModel *model, const TinkerBlockBat
  * book gives, into model->book_power. */
 TinkerStatus tinker_model_applied(TinkerModel *model, double *a, gboolean books);
 
+/* Whether any force depends on velocities: what is asked may, and is taken to. */
+gboolean tinker_model_feels_velocities(const TinkerModel *model);
+
 /* Energies (J), for the state in the points. */
 typedef struct {
     double kinetic;

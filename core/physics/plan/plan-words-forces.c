@@ -92,10 +92,3 @@ void plan_describe_forces(TinkerPlan *plan, const TinkerModel *model)
     if (model->driven->len == 0 && asked == 0 && prescribed == 0 && model->constant_force == NULL)
         plan_say(plan->left_out, _("driving forces: no block applies one"));
 }
-
-/* Whether anything takes energy: dampers, drag, laws that are asked. */
-gboolean plan_is_damped(const TinkerModel *model)
-{
-    return model->lines.any_damping || model->field_drag != 0 || model->asked_lines->len > 0 ||
-           model->asked_forces->len > 0 || model->asked_fields->len > 0;
-}

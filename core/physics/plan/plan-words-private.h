@@ -22,10 +22,9 @@ void plan_describe_supports(TinkerPlan *plan, TinkerModel *model);
 void plan_describe_contact(TinkerPlan *plan, TinkerModel *model, const TinkerRunOptions *options);
 gboolean plan_is_rough(const TinkerModel *model);
 
-/* plan-words-forces.c: connectors, fields, other forces, and whether any takes energy. */
+/* plan-words-forces.c: connectors, fields and other forces. */
 void plan_describe_lines(TinkerPlan *plan, const TinkerModel *model);
 void plan_describe_fields(TinkerPlan *plan, const TinkerModel *model);
 void plan_describe_forces(TinkerPlan *plan, const TinkerModel *model);
-gboolean plan_is_damped(const TinkerModel *model);
 
 #endif

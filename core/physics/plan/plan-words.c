@@ -2,6 +2,7 @@
  * and no block by name. */
 #include <glib/gi18n-lib.h>
 
+#include "physics/force/forces.h"
 #include "physics/model/model-data.h"
 #include "physics/plan/plan-private.h"
 #include "physics/plan/plan-words-private.h"
@@ -63,7 +64,9 @@ void tinker_plan_describe(TinkerPlan *plan, TinkerModel *model, const TinkerRunO
     plan_describe_supports(plan, model);
     describe_typed_laws(plan, model);
     plan_describe_contact(plan, model, options);
-    if (!plan_is_damped(model) && !plan_is_rough(model)) plan_say(plan->left_out, _("damping: no block takes energy"));
+    /* what feels velocities, or may, takes energy */
+    if (!tinker_model_feels_velocities(model) && !plan_is_rough(model))
+        plan_say(plan->left_out, _("damping: no block takes energy"));
     if (options->accuracy > 0)
         plan_say(
             plan->modelled,

@@ -56,8 +56,7 @@ static gboolean is_damped(const TinkerStartMatrices *self)
     }
     if (self->jacobian != NULL)
         return tinker_largest(tinker_jacobian_pattern(self->jacobian)->entries, self->damping) > 0;
-    return model->lines.any_damping || model->field_drag != 0 || model->asked_lines->len > 0 ||
-           model->asked_forces->len > 0 || model->asked_fields->len > 0;
+    return tinker_model_feels_velocities(model);
 }
 
 /* x . C y - y . C x, of two vectors that are not like any shape. */

@@ -38,13 +38,6 @@ static const char *failure(void *context)
     return self->model->failure[0] != '\0' ? self->model->failure : NULL;
 }
 
-/* Whether any force depends on velocities: an asked batch may, and is taken to. */
-static gboolean velocity_dependent(const TinkerModel *model)
-{
-    return model->lines.any_damping || model->field_drag != 0 || model->asked_lines->len > 0 ||
-           model->asked_forces->len > 0 || model->asked_fields->len > 0;
-}
-
 static TinkerStatus signals(void *context, TinkerSignal *out)
 {
     const TinkerModelSystem *self = context;
@@ -77,7 +70,7 @@ static void set_flags(TinkerModelSystem *self)
 {
     self->system.flags = 0;
     if (self->model->constraints.rows > 0) self->system.flags |= TINKER_SYSTEM_CONSTRAINED;
-    if (velocity_dependent(self->model)) self->system.flags |= TINKER_SYSTEM_VELOCITY_DEPENDENT;
+    if (tinker_model_feels_velocities(self->model)) self->system.flags |= TINKER_SYSTEM_VELOCITY_DEPENDENT;
 }
 
 void tinker_model_system_init(TinkerModelSystem *self, TinkerModel *model, TinkerLinearForm *form)
