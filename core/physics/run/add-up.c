@@ -1,4 +1,4 @@
-/* The summary of a whole run from those of its islands. */
+/* The summary of a whole run: as it begins, and from those of its islands. */
 #include <math.h>
 
 #include "physics/event/contact-run.h"
@@ -6,6 +6,51 @@
 #include "physics/model/model.h"
 #include "physics/run/island-runs.h"
 #include "physics/system/summary.h"
+
+void tinker_event_free(gpointer data)
+{
+    TinkerEvent *event = data;
+    g_free(event->kind);
+    g_free(event->blocks);
+    g_clear_pointer(&event->alternatives, g_array_unref);
+    g_free(event);
+}
+
+static void island_summary_free(gpointer data)
+{
+    TinkerIslandSummary *island = data;
+    g_array_unref(island->bodies);
+    g_free(island);
+}
+
+void tinker_island_runs_open_summary(TinkerIslandRuns *self)
+{
+    TinkerSummary *summary = &self->summary;
+    const TinkerModel *model = self->model;
+    summary->start_impulse = model->start_impulse;
+    summary->error_estimate = NAN;
+    summary->predictable_until = INFINITY;
+    summary->accuracy = self->options.accuracy;
+    summary->tries = g_array_new(FALSE, FALSE, sizeof(TinkerTry));
+    summary->determined_until = INFINITY;
+    summary->islands = g_ptr_array_new_with_free_func(island_summary_free);
+    summary->events = g_ptr_array_new_with_free_func(tinker_event_free);
+    summary->warnings = g_ptr_array_new_with_free_func(g_free);
+    summary->of_scene = g_ptr_array_new();
+    for (guint i = 0; i < model->warnings->len; i++)
+        tinker_summary_warn_of_scene(summary, g_strdup(g_ptr_array_index(model->warnings, i)));
+    char *unmet = tinker_options_unmet(&self->options, model);
+    if (unmet != NULL) tinker_summary_warn_of_scene(summary, unmet);
+}
+
+void tinker_island_runs_clear_summary(TinkerIslandRuns *self)
+{
+    g_clear_pointer(&self->summary.tries, g_array_unref);
+    g_clear_pointer(&self->summary.islands, g_ptr_array_unref);
+    g_clear_pointer(&self->summary.events, g_ptr_array_unref);
+    g_clear_pointer(&self->summary.of_scene, g_ptr_array_unref);
+    g_clear_pointer(&self->summary.warnings, g_ptr_array_unref);
+}
 
 static void add_energy(TinkerSummary *whole, const TinkerSummary *part)
 {

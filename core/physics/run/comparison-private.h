@@ -14,9 +14,8 @@ typedef struct {
     double error;              /* of the scales, at the sample looked at last */
     TinkerCompanionEnds *ends; /* NULL where they are not watched, or not any more */
     TinkerImpacts impacts;     /* of the run */
-    double length, to,
-        beyond; /* of its last step, see TinkerStepNews; and its points, of which the first are behind: */
-    int32_t points, behind;
+    double length, to, beyond; /* of its last step, see TinkerStepNews; ... */
+    int32_t points, behind;    /* ... and its points, of which the first are behind */
     double times[TINKER_MOST_POINTS];
     const double *states; /* in the news, or in what is kept of them */
     double *kept;

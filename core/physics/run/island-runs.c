@@ -1,63 +1,21 @@
 /* All islands of a scene are brought from sample to sample, each in steps of its own. */
 #include <glib/gi18n-lib.h>
 #include <math.h>
-#include <string.h>
 
 #include "physics/contact/contacts.h"
 #include "physics/island/island-run.h"
 #include "physics/model/model-data.h"
-#include "physics/plan/plan-cost.h"
 #include "physics/plan/plan.h"
 #include "physics/plan/run-options.h"
-#include "physics/record/sample-times.h"
 #include "physics/run/island-runs.h"
 #include "physics/run/island-samples.h"
 #include "physics/run/island-steps.h"
-#include "physics/run/simulation.h"
-#include "physics/run/tolerances.h"
-#include "physics/system/method-call.h"
 #include "physics/system/summary.h"
 
 /* Between two looks at whether the user has had enough: steps, each counted once for every body that it moves, so that
  * few looks fall into many short steps and many into few long ones; and no fewer than there are islands, which such a
  * look goes through. */
 #define WORK_BETWEEN_CALLS 256
-
-void tinker_event_free(gpointer data)
-{
-    TinkerEvent *event = data;
-    g_free(event->kind);
-    g_free(event->blocks);
-    g_clear_pointer(&event->alternatives, g_array_unref);
-    g_free(event);
-}
-
-static void island_summary_free(gpointer data)
-{
-    TinkerIslandSummary *island = data;
-    g_array_unref(island->bodies);
-    g_free(island);
-}
-
-static void open_summary(TinkerIslandRuns *self)
-{
-    TinkerSummary *summary = &self->summary;
-    const TinkerModel *model = self->model;
-    summary->start_impulse = model->start_impulse;
-    summary->error_estimate = NAN;
-    summary->predictable_until = INFINITY;
-    summary->accuracy = self->options.accuracy;
-    summary->tries = g_array_new(FALSE, FALSE, sizeof(TinkerTry));
-    summary->determined_until = INFINITY;
-    summary->islands = g_ptr_array_new_with_free_func(island_summary_free);
-    summary->events = g_ptr_array_new_with_free_func(tinker_event_free);
-    summary->warnings = g_ptr_array_new_with_free_func(g_free);
-    summary->of_scene = g_ptr_array_new();
-    for (guint i = 0; i < model->warnings->len; i++)
-        tinker_summary_warn_of_scene(summary, g_strdup(g_ptr_array_index(model->warnings, i)));
-    char *unmet = tinker_options_unmet(&self->options, model);
-    if (unmet != NULL) tinker_summary_warn_of_scene(summary, unmet);
-}
 
 /* Where steps end, whatever is recorded: at the scene's duration, and where samples are asked for beyond that, at every
  * multiple of it. */
@@ -133,7 +91,7 @@ TinkerIslandRuns *tinker_island_runs_new(TinkerModel *model, const TinkerRunOpti
     for (gsize i = 0; i < n; i++)
         self->orientation[i] = NAN;
     self->piece_end = -INFINITY;
-    open_summary(self);
+    tinker_island_runs_open_summary(self);
     if (model->contacts != NULL) model->contacts->impulses = FALSE; /* whatever ran before */
     self->islands = tinker_islands_for(model, options->impulses, error);
     if (self->islands == NULL || !open_runs(self, choices, error)) return NULL;
@@ -148,11 +106,7 @@ void tinker_island_runs_free(TinkerIslandRuns *self)
     g_clear_pointer(&self->runs, g_ptr_array_unref);
     g_clear_pointer(&self->islands, g_ptr_array_unref);
     tinker_sample_times_clear(&self->times);
-    g_clear_pointer(&self->summary.tries, g_array_unref);
-    g_clear_pointer(&self->summary.islands, g_ptr_array_unref);
-    g_clear_pointer(&self->summary.events, g_ptr_array_unref);
-    g_clear_pointer(&self->summary.of_scene, g_ptr_array_unref);
-    g_clear_pointer(&self->summary.warnings, g_ptr_array_unref);
+    tinker_island_runs_clear_summary(self);
     gpointer arrays[] = {self->sample_q, self->sample_v, self->part_q, self->part_v, self->values, self->orientation};
     for (gsize i = 0; i < G_N_ELEMENTS(arrays); i++)
         g_free(arrays[i]);

@@ -78,7 +78,10 @@ gboolean tinker_island_runs_fail_stopped(const TinkerIslandRuns *runs, GError **
 /* Ends all runs at the duration. */
 gboolean tinker_island_runs_close(TinkerIslandRuns *runs, GError **error);
 
-/* Adds up what the islands' runs say, in the summary. */
+/* The summary: without anything yet but what the options and the scene say; with what the islands' runs say, added up;
+ * gone. */
+void tinker_island_runs_open_summary(TinkerIslandRuns *runs);
 void tinker_island_runs_add_up(TinkerIslandRuns *runs);
+void tinker_island_runs_clear_summary(TinkerIslandRuns *runs);
 
 #endif
