@@ -6,8 +6,8 @@
  *     round:  gap'' = n . (P'' - C'') + (t . D')^2 / |D|
  *             u = t . D' + r w_tip + s w_seat
  *
- * since the material of the tip at the contact is at P - r n, and k x n = -t. tests/physics/test-shapes-derivatives.c has
- * differences for all of it. */
+ * since the material of the tip at the contact is at P - r n, and k x n = -t. tests/physics/test-shapes-derivatives.c
+ * has differences for all of it. */
 #include "physics/shapes/gaps.h"
 
 #include <math.h>

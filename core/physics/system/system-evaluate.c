@@ -12,8 +12,8 @@ static void write_books(const TinkerModelSystem *self, double *power)
         power[i] = self->model->book_power[self->book_of[i]];
 }
 
-static TinkerStatus applied_at(TinkerModelSystem *self, double t, const double *q, const double *v, double *a,
-                               gboolean books)
+static inline TinkerStatus applied_at(TinkerModelSystem *self, double t, const double *q, const double *v, double *a,
+                                      gboolean books)
 {
     TinkerStatus status = tinker_model_set_time(self->model, t);
     if (status != TINKER_OK) return status;
