@@ -122,30 +122,6 @@ static void test_tops(void)
     g_assert_cmpuint(within, >, SHAPE_POSES / 40);
 }
 
-/* A box that slides along a top, at the instant when a corner of it comes over an end: the end is in line with that
- * side of the box, too, but nothing of the box is beside the end. They touch across the top alone, whatever rounding
- * does. */
-static void test_over_an_end(void)
-{
-    g_autoptr(GRand) random = g_rand_new_with_seed(19);
-    for (int32_t i = 0; i < 20000; i++) {
-        const double angle = between(random, -4, 4), c = cos(angle), s = sin(angle), speed = between(random, -3, 3);
-        const double place = (i % 2 == 0 ? 0.2 : -0.2) + between(random, -1e-15, 1e-15), x = between(random, -9, 9);
-        const TinkerBodyPose seat = turned_by((TinkerBodyPose){.x = x}, angle);
-        const TinkerBodyPose box = turned_by(
-            (TinkerBodyPose){.x = x + c * place - s * 0.3, .y = s * place + c * 0.3, .vx = c * speed, .vy = s * speed},
-            angle + between(random, -1e-15, 1e-15));
-        TinkerGapFunction functions[MOST];
-        const int32_t count = tinker_gap_functions(&shapes[0], &top, functions, MOST);
-        for (int32_t k = 0; k < count; k++) {
-            TinkerGap gap;
-            tinker_gap_measure(&functions[k], &box, &seat, &gap);
-            if (fabs(gap.gap) > 1e-12 || !tinker_gap_is_over(&functions[k], &box, &seat, &gap, 1e-12)) continue;
-            g_assert_cmpfloat(fabs(c * gap.normal[1] - s * gap.normal[0]), >, 1 - 1e-12);
-        }
-    }
-}
-
 /* Outlines --------------------------------------------------------------------------------------------------------- */
 
 static void place(const TinkerOutline *outline, const TinkerBodyPose *pose, double *room, TinkerPlacedShape *shape)
@@ -209,7 +185,6 @@ int main(int argc, char **argv)
     g_test_add_func("/physics/shapes/distance", test_distance);
     g_test_add_func("/physics/shapes/unturned", test_unturned);
     g_test_add_func("/physics/shapes/tops", test_tops);
-    g_test_add_func("/physics/shapes/over-an-end", test_over_an_end);
     g_test_add_func("/physics/shapes/manifolds", test_manifolds);
     return g_test_run();
 }
