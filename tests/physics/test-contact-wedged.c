@@ -52,7 +52,7 @@ static void test_pyramid(void)
 static void test_struck_pyramid(void)
 {
     PhysicsOptions options = {
-        .method = "dop853", .tolerance = 1e-9, .duration = 1.5, .interval = 0.01, .columns = "Ball.x"};
+        .method = "dop853", .tolerance = 1e-9, .duration = 0.6, .interval = 0.01, .columns = "Ball.x"};
     g_autoptr(GString) blocks = g_string_new(CONTACT_WEIGHT "{'type': 'support', 'position': [0.8, -0.2], 'width': 8,"
                                                             " 'height': 0.4, 'static_friction': 0.5,"
                                                             " 'dynamic_friction': 0.4}");

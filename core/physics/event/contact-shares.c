@@ -59,9 +59,10 @@ static gboolean parts_as_said(const TinkerContactChange *change)
     for (guint i = 0; i < change->touches->len; i++) {
         const TinkerTouch *at = tinker_touch(change, i);
         if (at->row >= 0 || at->contact.mode != TINKER_CONTACT_OPEN || tinker_touch_leans(change, i)) continue;
-        const int32_t k = 2 * at->contact.body, base = 2 * tinker_touch_plate(change, i)->point;
+        const int32_t k = 2 * at->contact.body, plate_point = tinker_touch_plate(change, i)->point;
+        const double *base = (plate_point < model->bodies ? a : model->point_acceleration) + 2 * plate_point;
         const double scale =
-            fabs(a[k]) + fabs(a[k + 1]) + fabs(a[base]) + fabs(a[base + 1]) + fabs(constant[k]) + fabs(constant[k + 1]);
+            fabs(a[k]) + fabs(a[k + 1]) + fabs(base[0]) + fabs(base[1]) + fabs(constant[k]) + fabs(constant[k + 1]);
         double along[2];
         tinker_contacts_relative_acceleration(change->contacts, &at->contact, a, along);
         if (along[0] < -TINKER_FORCE_NOISE * scale) return FALSE;
