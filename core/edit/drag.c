@@ -27,8 +27,7 @@ struct _TinkerDrag {
     TinkerBlockId target; /* that releasing would connect to */
 };
 
-/* The editor --------------------------------------------------------------------------------------------------------
- */
+/* The editor ------------------------------------------------------------------------------------------------------- */
 
 /* The property that a column belongs to, or -1. */
 static int32_t property_of_column(const TinkerBlockClass *block_class, int32_t column)
@@ -84,8 +83,7 @@ static void editor_set_end(const TinkerEditor *editor, int32_t end, double x, do
     tinker_history_set_end(drag->history, drag->hit.block, end, detached, NULL);
 }
 
-/* The drag ----------------------------------------------------------------------------------------------------------
- */
+/* The drag --------------------------------------------------------------------------------------------------------- */
 
 static gboolean is_end(const TinkerDrag *drag)
 {

@@ -13,8 +13,7 @@
 #define PREFIX  ".tinker-part-"
 #define LETTERS 6 /* of g_mkstemp and its like */
 
-/* Making --------------------------------------------------------------------------------------------------------------
- */
+/* Making ----------------------------------------------------------------------------------------------------------- */
 
 static void forget(TinkerUnfinished *unfinished)
 {
@@ -70,8 +69,7 @@ gboolean tinker_unfinished_finish(TinkerUnfinished *unfinished, const char *plac
     return TRUE;
 }
 
-/* Removing ------------------------------------------------------------------------------------------------------------
- */
+/* Removing --------------------------------------------------------------------------------------------------------- */
 
 static void remove_folder(const char *path)
 {

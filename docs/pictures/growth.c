@@ -44,8 +44,7 @@ static double long_run_growth(const Method *method, double x, double y)
     return tinker_long_run_growth(docs_integrator(method), 0, oscillator_at(method, x, y), 1.0);
 }
 
-/* Runge-Kutta pairs --------------------------------------------------------------------------------------------------
- */
+/* Runge-Kutta pairs ------------------------------------------------------------------------------------------------ */
 
 /* What y' = lambda y is multiplied by at a step. */
 static double complex tableau_factor(const Method *method, double complex z)
@@ -77,8 +76,7 @@ static double tableau_error(const Method *method, double x, double y)
     return worst;
 }
 
-/* Backward differentiation formulas ----------------------------------------------------------------------------------
- */
+/* Backward differentiation formulas -------------------------------------------------------------------------------- */
 
 /* The formula applied to y' = z y: sum_k coefficient[k] y_(n - k) = 0, from sum_j (1 - shift)^j / j = z. */
 static void bdf_coefficients(int order, double complex z, double complex *coefficient)
@@ -139,8 +137,7 @@ void docs_bdf_edge(int order, double angle, double *real, double *imaginary)
     *imaginary = cimag(edge);
 }
 
-/* Everything else ----------------------------------------------------------------------------------------------------
- */
+/* Everything else -------------------------------------------------------------------------------------------------- */
 
 static double exact_growth(const Method *method, double x, double y)
 {

@@ -62,8 +62,7 @@ static void measure_run(BenchmarkReport *report, const char *scene, char *text, 
     g_free(text);
 }
 
-/* Equations ---------------------------------------------------------------------------------------------------------
- */
+/* Equations -------------------------------------------------------------------------------------------------------- */
 
 typedef struct {
     TinkerContacts *contacts;

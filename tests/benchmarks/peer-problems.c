@@ -7,8 +7,7 @@
 #define GRAVITY      9.81
 #define CHAIN_MASSES 50
 
-/* S1 along its line: x, v -------------------------------------------------------------------------------------------
- */
+/* S1 along its line: x, v ------------------------------------------------------------------------------------------ */
 
 static void oscillator_rates(double t, const double *y, double *f)
 {
@@ -23,8 +22,7 @@ static double oscillator_error(double t, const double *y)
     return fabs(y[0] - exp(-decay * t) * (cos(frequency * t) + decay / frequency * sin(frequency * t)));
 }
 
-/* S2: x1, y1, x2, y2 and their rates --------------------------------------------------------------------------------
- */
+/* S2: x1, y1, x2, y2 and their rates ------------------------------------------------------------------------------- */
 
 /* With rods r1 = p1, r2 = p2 - p1, both of length 1, and forces l1, l2 in them, a1 = g + l1 r1 - l2 r2 and
  * a2 = g + l2 r2. The lengths stay where r1.a1 = -|v1|^2 and r2.(a2 - a1) = -|v2 - v1|^2: two equations for l1 and l2.
@@ -75,8 +73,7 @@ static double angle_error(double t, const double *y)
     return pendulum_error(t, places);
 }
 
-/* S6: x and v of each mass in turns, which keeps the Jacobian in a band ----------------------------------------------
- */
+/* S6: x and v of each mass in turns, which keeps the Jacobian in a band -------------------------------------------- */
 
 static void chain_rates(double t, const double *y, double *f)
 {

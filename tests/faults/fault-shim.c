@@ -180,8 +180,7 @@ static int mode_of(int flags, va_list arguments)
 OPEN(open)
 OPEN(open64)
 
-/* Streams ------------------------------------------------------------------------------------------------------------
- */
+/* Streams ---------------------------------------------------------------------------------------------------------- */
 
 static ssize_t stream_read(void *file, char *bytes, size_t count)
 {

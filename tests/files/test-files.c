@@ -50,8 +50,7 @@ static void assert_holds(const char *path, const char *text)
     g_assert_cmpstr(now, ==, text);
 }
 
-/* Replacing -----------------------------------------------------------------------------------------------------------
- */
+/* Replacing -------------------------------------------------------------------------------------------------------- */
 
 static void test_replace(Fixture *fixture, gconstpointer data)
 {
@@ -103,8 +102,7 @@ static void test_limit(Fixture *fixture, gconstpointer data)
     g_assert_cmpuint(count_files(fixture), ==, 1);
 }
 
-/* Killed processes ----------------------------------------------------------------------------------------------------
- */
+/* Killed processes ------------------------------------------------------------------------------------------------- */
 
 /* A process that has begun a file and a folder with a file in it, and waits. */
 static GPid begin_and_wait(const Fixture *fixture)
@@ -164,8 +162,7 @@ static void test_given_up(Fixture *fixture, gconstpointer data)
     g_assert_true(g_file_test(place, G_FILE_TEST_EXISTS));
 }
 
-/* Rows ----------------------------------------------------------------------------------------------------------------
- */
+/* Rows ------------------------------------------------------------------------------------------------------------- */
 
 /* A file that takes 10 bytes, for every length of a row: what is in it ends with a whole row. */
 static void test_rows(Fixture *fixture, gconstpointer data)

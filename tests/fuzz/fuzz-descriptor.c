@@ -27,8 +27,7 @@ static gpointer allot(Maker *maker, gsize size)
     return memory;
 }
 
-/* Numbers ------------------------------------------------------------------------------------------------------------
- */
+/* Numbers ---------------------------------------------------------------------------------------------------------- */
 
 static double number(Maker *maker, double proper)
 {
@@ -61,8 +60,7 @@ static TinkerDimension dimension(Maker *maker, TinkerDimension proper)
     }
 }
 
-/* Texts --------------------------------------------------------------------------------------------------------------
- */
+/* Texts ------------------------------------------------------------------------------------------------------------ */
 
 static const char *text(Maker *maker, const char *proper)
 {
@@ -84,8 +82,7 @@ static const char *numbered(Maker *maker, const char *stem, int32_t i)
     return text(maker, proper);
 }
 
-/* Structs and spans --------------------------------------------------------------------------------------------------
- */
+/* Structs and spans ------------------------------------------------------------------------------------------------ */
 
 /* The bytes that a struct of `size` is given: those of this host, or of an older or a newer one. */
 static gsize declared(Maker *maker, gsize size)
@@ -187,8 +184,7 @@ static void nothing(void) {}
         memcpy(&(target), &function_, sizeof function_);                                                               \
     } while (0)
 
-/* What a block declares ----------------------------------------------------------------------------------------------
- */
+/* What a block declares -------------------------------------------------------------------------------------------- */
 
 /* The proper ones: the place and mass of a body, then one of each kind. */
 static TinkerPropertyType property(Maker *maker, int32_t i)
@@ -253,8 +249,7 @@ static TinkerSpan quantities(Maker *maker)
     return span_of(maker, types, count, sizeof types[0], TRUE);
 }
 
-/* Interfaces ---------------------------------------------------------------------------------------------------------
- */
+/* Interfaces ------------------------------------------------------------------------------------------------------- */
 
 static const void *body(Maker *maker)
 {
@@ -318,8 +313,7 @@ static TinkerSpan interfaces(Maker *maker)
     return span_of(maker, list, (int32_t)G_N_ELEMENTS(list), sizeof list[0], FALSE);
 }
 
-/* The descriptor -----------------------------------------------------------------------------------------------------
- */
+/* The descriptor --------------------------------------------------------------------------------------------------- */
 
 static TinkerSpan blocks(Maker *maker)
 {

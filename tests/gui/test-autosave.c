@@ -18,8 +18,7 @@
 
 #define PATIENCE (30 * G_USEC_PER_SEC)
 
-/* The process that is killed ------------------------------------------------------------------------------------------
- */
+/* The process that is killed --------------------------------------------------------------------------------------- */
 
 /* Edits the scene in the file, and waits for its end, as if a plugin were at work. */
 static void edit_until_killed(const char *path)
@@ -96,8 +95,7 @@ static void discard_all(void)
     g_assert_cmpuint(count_copies(), ==, 0);
 }
 
-/* Tests ---------------------------------------------------------------------------------------------------------------
- */
+/* Tests ------------------------------------------------------------------------------------------------------------ */
 
 static void test_crash(void)
 {

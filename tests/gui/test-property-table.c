@@ -15,8 +15,7 @@
     "{\"type\": \"motor\", \"name\": \"F\", \"ends\": [\"M\"]" waveform "}]}"
 #define SUPPORT "{\"tinker\": 1, \"blocks\": [{\"type\": \"support\", \"name\": \"S\"}]}"
 
-/* Fixtures ------------------------------------------------------------------------------------------------------------
- */
+/* Fixtures --------------------------------------------------------------------------------------------------------- */
 
 typedef struct {
     TinkerDocument *document;
@@ -186,8 +185,7 @@ static void assert_file_refused(Panel *panel, const char *path, const char *part
     assert_names(panel, files);
 }
 
-/* Choosing ------------------------------------------------------------------------------------------------------------
- */
+/* Choosing --------------------------------------------------------------------------------------------------------- */
 
 static void test_chosen(void)
 {
@@ -297,8 +295,7 @@ static void test_several(void)
     assert_absent(&panel, "Force", "Column"); /* they differ */
 }
 
-/* Where the file is ---------------------------------------------------------------------------------------------------
- */
+/* Where the file is ------------------------------------------------------------------------------------------------ */
 
 static void test_in_a_folder_within(void)
 {
@@ -359,8 +356,7 @@ static void test_never_overwritten(void)
     g_assert_true(g_file_test(link, G_FILE_TEST_IS_SYMLINK));
 }
 
-/* Refusing ------------------------------------------------------------------------------------------------------------
- */
+/* Refusing --------------------------------------------------------------------------------------------------------- */
 
 static void test_refused(void)
 {

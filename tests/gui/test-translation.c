@@ -118,8 +118,7 @@ static void test_start_labels(void)
     g_assert_true(g_hash_table_contains(labels, "Spring 0 gedehnt um"));
 }
 
-/* Keys of menus -------------------------------------------------------------------------------------------------------
- */
+/* Keys of menus ---------------------------------------------------------------------------------------------------- */
 
 typedef struct {
     GPtrArray *menus; /* each within the one before: sets of keys */

@@ -103,8 +103,7 @@ static void test_contrast(void)
     }
 }
 
-/* Colour blindness ----------------------------------------------------------------------------------------------------
- */
+/* Colour blindness ------------------------------------------------------------------------------------------------- */
 
 /* What linear red, green and blue become: nothing lost; without long and without medium waves after Viénot, Brettel and
  * Mollon, "Digital video colourmaps for checking the legibility of displays by dichromats" (1999); without short ones

@@ -26,8 +26,7 @@ struct _TinkerFrequencyResponse {
     int32_t *pivots;
 };
 
-/* Setting up ---------------------------------------------------------------------------------------------------------
- */
+/* Setting up ------------------------------------------------------------------------------------------------------- */
 
 /* out (size) -= sum of weight b (b . d) over the terms, for d over all coordinates. */
 static void take_terms(const TinkerLinearisation *linear, const GArray *terms, const double *d, double *out)
@@ -148,8 +147,7 @@ void tinker_frequency_response_free(TinkerFrequencyResponse *response)
     g_free(response);
 }
 
-/* One frequency ------------------------------------------------------------------------------------------------------
- */
+/* One frequency ---------------------------------------------------------------------------------------------------- */
 
 /* y of the group's members; FALSE where the system is singular. */
 static gboolean solve_group(TinkerFrequencyResponse *response, const TinkerModeGroup *group, double omega)

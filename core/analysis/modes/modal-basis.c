@@ -80,8 +80,7 @@ static void turn_basis(Work *work, const double *vectors)
     work->basis = turned;
 }
 
-/* Positive parts -----------------------------------------------------------------------------------------------------
- */
+/* Positive parts --------------------------------------------------------------------------------------------------- */
 
 static guint count_positive(const GArray *terms)
 {
@@ -118,8 +117,7 @@ static gboolean diagonalise_positive(Work *work)
     return TRUE;
 }
 
-/* The others ---------------------------------------------------------------------------------------------------------
- */
+/* The others ------------------------------------------------------------------------------------------------------- */
 
 /* matrix (m by m) += the symmetric part of basis^T other basis; the largest of the other part is answered, and the part
  * itself left in `following`, where that is not NULL. */
@@ -193,8 +191,7 @@ static gboolean find_modes(Work *work)
     return diagonalise(work, matrix);
 }
 
-/* Finishing ----------------------------------------------------------------------------------------------------------
- */
+/* Finishing -------------------------------------------------------------------------------------------------------- */
 
 /* The largest that a part alone can make of a square: what its rounding is measured by. */
 static double strongest(const TinkerLinearisation *linear, const GArray *terms)

@@ -60,8 +60,7 @@ static gboolean find_best(const TinkerTradeOptions *options, const TinkerTrade *
     return found;
 }
 
-/* Between settings --------------------------------------------------------------------------------------------------
- */
+/* Between settings ------------------------------------------------------------------------------------------------- */
 
 /* Two significant digits, away from the coarser side: 0.0123456 becomes 0.012. */
 static double rounded_down(double value)

@@ -94,8 +94,7 @@ static void oscillate(double t, double q[SIZE], double v[SIZE])
 
 const KitMotion kit_oscillator = {"an oscillator", &oscillator_system, oscillate};
 
-/* Driven --------------------------------------------------------------------------------------------------------------
- */
+/* Driven ----------------------------------------------------------------------------------------------------------- */
 
 #define RATE 1.3
 static const double sizes[SIZE] = {0.8, 1.1}, shifts[SIZE] = {0.9, -0.4};

@@ -80,8 +80,7 @@ static void look_at_words(KitCheck *check)
                  c->type->formula, unknown, names->len > 0 ? names->str : "none has one");
 }
 
-/* Ids -----------------------------------------------------------------------------------------------------------------
- */
+/* Ids -------------------------------------------------------------------------------------------------------------- */
 
 /* A stable name: words of small letters and digits, the first of them a letter, between single dashes, underscores or
  * dots. */

@@ -133,8 +133,7 @@ void kit_try_method_order(KitCheck *check)
         try_on(check, &kit_driven);
 }
 
-/* Steps land and dense output fits ------------------------------------------------------------------------------------
- */
+/* Steps land and dense output fits --------------------------------------------------------------------------------- */
 
 static void look_inside(KitCheck *check, const Run *run, double from, const double *q_from, const double *v_from)
 {

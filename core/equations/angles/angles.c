@@ -66,8 +66,7 @@ static void name_angle(const Writer *writer, TinkerRodAngle *angle)
         value_of_rod(equations, angle);
 }
 
-/* The support's acceleration ----------------------------------------------------------------------------------------
- */
+/* The support's acceleration --------------------------------------------------------------------------------------- */
 
 /* By time, through definitions. */
 static TinkerExpression *by_time(const char *symbol, void *data)

@@ -44,8 +44,7 @@ static double bound_of(const TinkerImpact *impact, gsize k, const double *p)
     return impact->friction[k] * p[2 * bearer_of(impact, k)];
 }
 
-/* Poisson's ---------------------------------------------------------------------------------------------------------
- */
+/* Poisson's -------------------------------------------------------------------------------------------------------- */
 
 /* One sweep of the second phase over all contacts; answers the largest change of a velocity. */
 static double sweep(const TinkerImpact *impact, const double *least, double *p, double *u)
@@ -142,8 +141,7 @@ static TinkerContactResult strike_in_phases(const TinkerImpact *impact, double *
     return result;
 }
 
-/* In sequence -------------------------------------------------------------------------------------------------------
- */
+/* In sequence ------------------------------------------------------------------------------------------------------ */
 
 /* The pair that approaches fastest; -1: none does. */
 static int32_t next_pair(const TinkerImpact *impact, const int32_t *pair, const double *u, double still)

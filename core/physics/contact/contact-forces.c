@@ -52,8 +52,7 @@ void tinker_contacts_refresh_entries(TinkerContacts *contacts)
     }
 }
 
-/* Rows that are solved together ---------------------------------------------------------------------------------------
- */
+/* Rows that are solved together ------------------------------------------------------------------------------------ */
 
 static int32_t body_of(const TinkerContacts *contacts, const TinkerContactRow *row)
 {

@@ -175,8 +175,7 @@ void tinker_contact_run_note_quiet(TinkerContactRun *self, const double *x, cons
     self->quiet = nearest;
 }
 
-/* Together ----------------------------------------------------------------------------------------------------------
- */
+/* Together --------------------------------------------------------------------------------------------------------- */
 
 static void join(TinkerContactRun *self, int32_t plate)
 {

@@ -15,8 +15,7 @@
 /* Triggers of one closed contact. */
 #define MOST_OF_ONE 5
 
-/* States on the way -------------------------------------------------------------------------------------------------
- */
+/* States on the way ------------------------------------------------------------------------------------------------ */
 
 /* The bodies at time t within the last step. */
 TinkerStatus tinker_contact_run_state_at(TinkerContactRun *self, double t, double **q, double **v)

@@ -175,8 +175,7 @@ void tinker_linear_input_clear(TinkerLinearInput *input)
     g_clear_pointer(&input->place, g_free);
 }
 
-/* Outputs ------------------------------------------------------------------------------------------------------------
- */
+/* Outputs ---------------------------------------------------------------------------------------------------------- */
 
 typedef struct {
     TinkerModel *model;

@@ -163,8 +163,7 @@ static void add_contacts(TinkerLinearisation *linear, const TinkerModel *model)
     }
 }
 
-/* All ----------------------------------------------------------------------------------------------------------------
- */
+/* All -------------------------------------------------------------------------------------------------------------- */
 
 static void measure_extent(TinkerLinearisation *linear, const TinkerModel *model)
 {

@@ -93,8 +93,7 @@ static double explicit_operations(const TinkerIsland *island, double steps, doub
            evaluations * (evaluation_cost(island) + PER_STAGE_COORDINATE * coordinates(island));
 }
 
-/* Explicit, adaptive ------------------------------------------------------------------------------------------------
- */
+/* Explicit, adaptive ----------------------------------------------------------------------------------------------- */
 
 static Adaptive adaptive_of(const TinkerIntegrator *method)
 {
@@ -168,8 +167,7 @@ static double step_error(const TinkerIntegrator *method, const TinkerRunOptions 
     return error;
 }
 
-/* Fixed steps -------------------------------------------------------------------------------------------------------
- */
+/* Fixed steps ------------------------------------------------------------------------------------------------------ */
 
 /* Of displacements, relative to those of the motion. Velocities of parts that are fast and hold little are off by more,
  * which is what a method that steps across them is for. */
@@ -252,8 +250,7 @@ static void cost_fixed(const TinkerIsland *island, const TinkerForecast *forecas
     cost->error = fixed_error(forecast, method, options, cost->step);
 }
 
-/* Exact -------------------------------------------------------------------------------------------------------------
- */
+/* Exact ------------------------------------------------------------------------------------------------------------ */
 
 double tinker_cost_interval(const TinkerIsland *island, const TinkerRunOptions *options)
 {

@@ -105,8 +105,7 @@ TinkerIslandRuns *tinker_companion_new(TinkerIslandRuns *runs, TinkerModel *mode
     return companion;
 }
 
-/* Ends that pass ----------------------------------------------------------------------------------------------------
- */
+/* Ends that pass --------------------------------------------------------------------------------------------------- */
 
 TinkerCompanionEnds *tinker_companion_ends_new(TinkerIslandRun *run)
 {

@@ -10,9 +10,8 @@
 #include "physics/island/island-run.h"
 #include "physics/run/tolerances.h"
 
-#define RESERVE                                                                                                        \
-    256.0 /* instants that are told beyond one for each sample: what bounces to rest has them all at once              \
-           */
+/* Instants that are told beyond one for each sample: what bounces to rest has them all at once. */
+#define RESERVE 256.0
 
 struct _TinkerEventValues {
     TinkerIslandRuns *runs;
@@ -42,8 +41,7 @@ void tinker_event_values_free(TinkerEventValues *self)
     g_free(self);
 }
 
-/* The heap ---------------------------------------------------------------------------------------------------------
- */
+/* The heap --------------------------------------------------------------------------------------------------------- */
 
 static TinkerIslandRun *run_of(const TinkerEventValues *self, guint island)
 {
@@ -91,8 +89,7 @@ static void order_islands(TinkerEventValues *self)
         sift_down(self, place);
 }
 
-/* Instants ---------------------------------------------------------------------------------------------------------
- */
+/* Instants --------------------------------------------------------------------------------------------------------- */
 
 /* By more than rounding makes of the way to the instant. */
 static gboolean differ(const double *before, const double *behind, guint count)

@@ -37,8 +37,7 @@ static TinkerCrashText message;
 enum { NOTHING, BEGUN, COMPOSED, SAVED, TOLD };
 static _Thread_local volatile sig_atomic_t stage;
 
-/* What is left to be done -------------------------------------------------------------------------------------------
- */
+/* What is left to be done ------------------------------------------------------------------------------------------ */
 
 /* Writes out the lines that are whole, once, and says where they are. */
 static void save_record(void)
@@ -70,8 +69,7 @@ static void begin_message(void)
     tinker_crash_text_add(&message, ": ");
 }
 
-/* Signals -----------------------------------------------------------------------------------------------------------
- */
+/* Signals ---------------------------------------------------------------------------------------------------------- */
 
 static gsize number_of(int signal_number)
 {
@@ -207,8 +205,7 @@ void tinker_crash_end_with(int status, const char *what, const char *otherwise)
     _exit(status);
 }
 
-/* The end of the process --------------------------------------------------------------------------------------------
- */
+/* The end of the process ------------------------------------------------------------------------------------------- */
 
 /* A plugin that ends the process would end it with its own status, as if the run were done. */
 static void on_exit_called(void)
@@ -217,8 +214,7 @@ static void on_exit_called(void)
     tinker_crash_end_with(1, " called exit()", "");
 }
 
-/* Public ------------------------------------------------------------------------------------------------------------
- */
+/* Public ----------------------------------------------------------------------------------------------------------- */
 
 void tinker_crash_watch_thread(void)
 {

@@ -23,8 +23,7 @@ static void set_colour(cairo_t *cairo, const double colour[4])
     cairo_set_source_rgba(cairo, colour[0], colour[1], colour[2], colour[3]);
 }
 
-/* Background and grid ------------------------------------------------------------------------------------------------
- */
+/* Background and grid ---------------------------------------------------------------------------------------------- */
 
 static void draw_background(const TinkerPicture *picture)
 {
@@ -69,8 +68,7 @@ static void draw_grid(const TinkerPicture *picture)
     draw_grid_lines(picture, spacing, TRUE);
 }
 
-/* Blocks -------------------------------------------------------------------------------------------------------------
- */
+/* Blocks ----------------------------------------------------------------------------------------------------------- */
 
 static void mark_selected(TinkerPicture *picture)
 {
@@ -158,8 +156,7 @@ static void draw_dots(TinkerPicture *picture)
     style->state = 0;
 }
 
-/* Marks of the selection and of local origins -------------------------------------------------------------------------
- */
+/* Marks of the selection and of local origins ---------------------------------------------------------------------- */
 
 /* Handles change the scene as placed; while it is shown at another time, they would be anywhere. */
 static void draw_handles(TinkerPicture *picture)

@@ -82,8 +82,7 @@ void tinker_plot_draw_cursor(cairo_t *cairo, const TinkerPlotLayout *layout)
     }
 }
 
-/* Reading ------------------------------------------------------------------------------------------------------------
- */
+/* Reading ---------------------------------------------------------------------------------------------------------- */
 
 static TinkerText line_of(const TinkerPlotLayout *layout, const char *words)
 {

@@ -136,8 +136,7 @@ void scene_table_append(TinkerScene *scene, SceneTable *table, TinkerBlockId id,
     renumber(scene, table, row);
 }
 
-/* Several rows at once ----------------------------------------------------------------------------------------------
- */
+/* Several rows at once --------------------------------------------------------------------------------------------- */
 
 /* The array's entry `from` becomes the one `to`, for each row in turn: `from` is never before `to` in a table that gets
  * shorter. */

@@ -68,8 +68,7 @@ char *tinker_scene_table_file(const TinkerScene *scene, TinkerWaveform *waveform
     return file;
 }
 
-/* All files of a scene ------------------------------------------------------------------------------------------------
- */
+/* All files of a scene --------------------------------------------------------------------------------------------- */
 
 static void collect_from_json(const cJSON *json, GHashTable *files)
 {

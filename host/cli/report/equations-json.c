@@ -169,8 +169,7 @@ static void add_reasons(cJSON *root, const TinkerEquations *equations, const GPt
     }
 }
 
-/* The matrix form ---------------------------------------------------------------------------------------------------
- */
+/* The matrix form -------------------------------------------------------------------------------------------------- */
 
 static void add_entries(cJSON *object, const char *key, const GPtrArray *entries, guint n)
 {

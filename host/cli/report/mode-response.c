@@ -84,8 +84,7 @@ void tinker_mode_response_clear(TinkerModeResponse *made)
     g_clear_pointer(&made->unit, g_free);
 }
 
-/* Drawing ------------------------------------------------------------------------------------------------------------
- */
+/* Drawing ---------------------------------------------------------------------------------------------------------- */
 
 static const double *numbers(const GArray *array)
 {

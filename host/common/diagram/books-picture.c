@@ -71,8 +71,7 @@ static char *quantity(const Drawing *drawing, double value, TinkerDimension dime
     return g_strconcat(value < 0 ? "−" : "", size, NULL);
 }
 
-/* Accounts -----------------------------------------------------------------------------------------------------------
- */
+/* Accounts --------------------------------------------------------------------------------------------------------- */
 
 /* Which of the numbers an account is of. */
 typedef enum { FORCE_X, FORCE_Y, ENERGY, ANGULAR, MOMENTUM_X, MOMENTUM_Y, ACCOUNTS } Which;
@@ -176,8 +175,7 @@ static void gather(Account *account, guint most)
     g_array_insert_val(account->entries, account->entries->len - 1, others);
 }
 
-/* The bars -----------------------------------------------------------------------------------------------------------
- */
+/* The bars --------------------------------------------------------------------------------------------------------- */
 
 /* Where each bar begins and ends, and the range of all, with 0 in it. */
 static double *bars_of(const Account *account, double range[2])

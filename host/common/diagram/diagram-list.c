@@ -11,8 +11,7 @@
 #define INDENT    14.0  /* of names, behind the colour of their arrow */
 #define GAP       8.0   /* from a name to what stands behind it */
 
-/* The list -----------------------------------------------------------------------------------------------------------
- */
+/* The list --------------------------------------------------------------------------------------------------------- */
 
 enum { NAME, ALONG_X, ALONG_Y, SIZE, PARTNER, COLUMNS };
 

@@ -93,8 +93,7 @@ void diagram_write(DiagramDrawing *drawing, TinkerText text, double x, double y)
     tinker_text_draw(&drawing->pen, drawing->cairo, &text, x, y);
 }
 
-/* Words --------------------------------------------------------------------------------------------------------------
- */
+/* Words ------------------------------------------------------------------------------------------------------------ */
 
 char *diagram_quantity(const DiagramDrawing *drawing, double value, TinkerDimension dimension)
 {

@@ -82,8 +82,7 @@ static gboolean is_stopped(TinkerFilm *film, GError **error)
     return TRUE;
 }
 
-/* The encoder ---------------------------------------------------------------------------------------------------------
- */
+/* The encoder ------------------------------------------------------------------------------------------------------ */
 
 /* A GIF gets a palette of its own, made from all its pictures; films for players get even sides and the one pixel
  * format that all of them know. */
@@ -232,8 +231,7 @@ static gboolean send(TinkerFilm *film, const unsigned char *bytes, gsize count, 
     return TRUE;
 }
 
-/* The film ------------------------------------------------------------------------------------------------------------
- */
+/* The film --------------------------------------------------------------------------------------------------------- */
 
 TinkerFilm *tinker_film_new(const char *path, int width, int height, double frames_per_second, GError **error)
 {

@@ -264,8 +264,7 @@ void tinker_force_arrows_keep_moving(TinkerScene *scene, GArray *acting)
             g_array_remove_index(acting, i);
 }
 
-/* Over a picture ------------------------------------------------------------------------------------------------------
- */
+/* Over a picture --------------------------------------------------------------------------------------------------- */
 
 void tinker_force_arrows_over(cairo_t *cairo, const TinkerView *view, const TinkerTheme *theme, void *data)
 {

@@ -146,8 +146,7 @@ static void pose_at_mark(const TinkerMotionTrail *trail, gsize mark, int body, d
     pose_at(trail, body, (double)mark * trail->every, pose);
 }
 
-/* Drawing -------------------------------------------------------------------------------------------------------------
- */
+/* Drawing ---------------------------------------------------------------------------------------------------------- */
 
 static void draw_path(const TinkerMotionTrail *trail, cairo_t *cairo, const TinkerView *view, int body, double until)
 {

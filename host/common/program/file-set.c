@@ -43,8 +43,7 @@ void tinker_file_set_free(TinkerFileSet *files)
     g_free(files);
 }
 
-/* Keys ----------------------------------------------------------------------------------------------------------------
- */
+/* Keys ------------------------------------------------------------------------------------------------------------- */
 
 static char *key_of_inode(const GStatBuf *status)
 {
@@ -93,8 +92,7 @@ static char *key_of_stream(int descriptor)
     return fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode) ? key_of_inode(&status) : NULL;
 }
 
-/* Adding --------------------------------------------------------------------------------------------------------------
- */
+/* Adding ----------------------------------------------------------------------------------------------------------- */
 
 static gboolean is_stream(const char *path)
 {

@@ -42,8 +42,7 @@ static void tell(TinkerAccuracyPage *page, const char *text)
     g_signal_emit(page, told_signal, 0, text);
 }
 
-/* Measuring -----------------------------------------------------------------------------------------------------------
- */
+/* Measuring -------------------------------------------------------------------------------------------------------- */
 
 static gboolean read_wished(TinkerAccuracyPage *page, double *error)
 {
@@ -95,8 +94,7 @@ static void on_progress(TinkerAccuracyPage *page)
     gtk_progress_bar_set_fraction(page->progress, share);
 }
 
-/* Using ---------------------------------------------------------------------------------------------------------------
- */
+/* Using ------------------------------------------------------------------------------------------------------------ */
 
 static void use(TinkerAccuracyPage *page, const TinkerTradeRow *row)
 {
@@ -121,8 +119,7 @@ static void on_use_advised(TinkerAccuracyPage *page)
     if (trade != NULL && trade->advice.kind != TINKER_TRADE_ADVICE_NONE) use(page, &trade->advice.row);
 }
 
-/* Showing -------------------------------------------------------------------------------------------------------------
- */
+/* Showing ---------------------------------------------------------------------------------------------------------- */
 
 static void show_trade(TinkerAccuracyPage *page)
 {
@@ -171,8 +168,7 @@ static void on_task_changed(TinkerAccuracyPage *page)
     on_progress(page);
 }
 
-/* Life ----------------------------------------------------------------------------------------------------------------
- */
+/* Life ------------------------------------------------------------------------------------------------------------- */
 
 void tinker_accuracy_page_set_document(TinkerAccuracyPage *page, TinkerDocument *document)
 {

@@ -35,8 +35,7 @@ static void set_findings(TinkerAdviceList *list, GPtrArray *findings)
     if (!both_empty) g_signal_emit(list, changed_signal, 0);
 }
 
-/* Looking -------------------------------------------------------------------------------------------------------------
- */
+/* Looking ---------------------------------------------------------------------------------------------------------- */
 
 static void look_over(TinkerBackground *background, void *data)
 {

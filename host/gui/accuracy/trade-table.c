@@ -10,8 +10,7 @@
 #include "gui/widget/unparent.h"
 #include "units/quantity/units.h"
 
-/* Rows ----------------------------------------------------------------------------------------------------------------
- */
+/* Rows ------------------------------------------------------------------------------------------------------------- */
 
 #define TINKER_TYPE_TRADE_ITEM (tinker_trade_item_get_type())
 G_DECLARE_FINAL_TYPE(TinkerTradeItem, tinker_trade_item, TINKER, TRADE_ITEM, GObject)
@@ -28,8 +27,7 @@ static void tinker_trade_item_class_init(TinkerTradeItemClass *class) {}
 
 static void tinker_trade_item_init(TinkerTradeItem *item) {}
 
-/* Columns -------------------------------------------------------------------------------------------------------------
- */
+/* Columns ---------------------------------------------------------------------------------------------------------- */
 
 static char *method_text(const TinkerTradeRow *row)
 {
@@ -142,8 +140,7 @@ static void on_bind(GtkSignalListItemFactory *factory, GtkListItem *cell, const 
         gtk_widget_remove_css_class(label, "advised");
 }
 
-/* The table -----------------------------------------------------------------------------------------------------------
- */
+/* The table -------------------------------------------------------------------------------------------------------- */
 
 struct _TinkerTradeTable {
     GtkWidget parent_instance;

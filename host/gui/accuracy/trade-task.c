@@ -50,8 +50,7 @@ static void job_free(void *data)
     g_free(job);
 }
 
-/* The thread ----------------------------------------------------------------------------------------------------------
- */
+/* The thread ------------------------------------------------------------------------------------------------------- */
 
 static gboolean is_cancelled(void *data)
 {
@@ -73,8 +72,7 @@ static void work(TinkerBackground *background, void *data)
     job->reference = tinker_trade_reference_text(job->trade);
 }
 
-/* The owner -----------------------------------------------------------------------------------------------------------
- */
+/* The owner -------------------------------------------------------------------------------------------------------- */
 
 static void emit(TinkerTradeTask *task, int signal)
 {
@@ -201,8 +199,7 @@ gboolean tinker_trade_task_is_stale(TinkerTradeTask *task)
     return task->stale;
 }
 
-/* The document --------------------------------------------------------------------------------------------------------
- */
+/* The document ----------------------------------------------------------------------------------------------------- */
 
 static void on_changed(TinkerTradeTask *task)
 {
@@ -221,8 +218,7 @@ static void on_replaced(TinkerTradeTask *task)
     emit(task, CHANGED);
 }
 
-/* The object ----------------------------------------------------------------------------------------------------------
- */
+/* The object ------------------------------------------------------------------------------------------------------- */
 
 static void tinker_trade_task_finalize(GObject *object)
 {

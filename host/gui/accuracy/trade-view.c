@@ -48,8 +48,7 @@ static void draw(GtkDrawingArea *area, cairo_t *cairo, int width, int height, gp
     tinker_plot_draw(cairo, &plot, width, height);
 }
 
-/* The pointer -------------------------------------------------------------------------------------------------------
- */
+/* The pointer ------------------------------------------------------------------------------------------------------ */
 
 static void hover(TinkerTradeView *view, double x, double y)
 {
@@ -83,8 +82,7 @@ static void on_click(GtkGestureClick *click, int presses, double x, double y, Ti
     if (view->row != NULL) g_signal_emit(view, chosen_signal, 0, view->row);
 }
 
-/* The widget ----------------------------------------------------------------------------------------------------------
- */
+/* The widget ------------------------------------------------------------------------------------------------------- */
 
 static void forget(TinkerTradeView *view)
 {

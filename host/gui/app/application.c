@@ -61,8 +61,7 @@ static TinkerWindow *new_window(TinkerApplication *application)
     return window;
 }
 
-/* Actions -------------------------------------------------------------------------------------------------------------
- */
+/* Actions ---------------------------------------------------------------------------------------------------------- */
 
 static void on_new_window(GSimpleAction *action, GVariant *parameter, gpointer application)
 {
@@ -125,8 +124,7 @@ static void add_style_action(GApplication *application)
     apply_style(style);
 }
 
-/* The command line ----------------------------------------------------------------------------------------------------
- */
+/* The command line ------------------------------------------------------------------------------------------------- */
 
 static int tinker_application_handle_local_options(GApplication *base, GVariantDict *options)
 {
@@ -160,8 +158,7 @@ static gboolean tinker_application_local_command_line(GApplication *base, char *
     return handled;
 }
 
-/* Life ----------------------------------------------------------------------------------------------------------------
- */
+/* Life ------------------------------------------------------------------------------------------------------------- */
 
 static void tinker_application_startup(GApplication *base)
 {

@@ -44,8 +44,7 @@ static void finish(Shot *shot, int status)
     g_free(shot);
 }
 
-/* The scene -----------------------------------------------------------------------------------------------------------
- */
+/* The scene -------------------------------------------------------------------------------------------------------- */
 
 static int usage_error(const char *option, const char *value, const char *right)
 {
@@ -125,8 +124,7 @@ static int show(TinkerWindow *window, const TinkerScreenshot *wanted)
     return status;
 }
 
-/* The picture ---------------------------------------------------------------------------------------------------------
- */
+/* The picture ------------------------------------------------------------------------------------------------------ */
 
 static int write_picture(GdkTexture *texture, const char *path)
 {

@@ -70,8 +70,7 @@ TinkerHit tinker_canvas_handle(TinkerCanvas *canvas, double place[2])
     return tinker_hit_handle(frame, selected, place[0], place[1], canvas_reach(canvas));
 }
 
-/* Dragging ------------------------------------------------------------------------------------------------------------
- */
+/* Dragging --------------------------------------------------------------------------------------------------------- */
 
 /* What the press has hold of from now on, and where on it. */
 static void take_hold(TinkerCanvas *canvas, const double world[2])
@@ -223,8 +222,7 @@ void canvas_cancel_gesture(TinkerCanvas *canvas)
     set_highlighted(canvas, TINKER_NO_BLOCK);
 }
 
-/* Looking around ------------------------------------------------------------------------------------------------------
- */
+/* Looking around --------------------------------------------------------------------------------------------------- */
 
 static void on_pan_press(GtkGestureDrag *gesture, double x, double y, TinkerCanvas *canvas)
 {
@@ -284,8 +282,7 @@ static void on_pinch_begin(GtkGesture *gesture, GdkEventSequence *sequence, Tink
     g_object_set_data_full(G_OBJECT(gesture), "last", last, g_free);
 }
 
-/* The menu ------------------------------------------------------------------------------------------------------------
- */
+/* The menu --------------------------------------------------------------------------------------------------------- */
 
 static void on_menu(GtkGestureClick *gesture, int presses, double x, double y, TinkerCanvas *canvas)
 {
@@ -314,8 +311,7 @@ static gboolean show_menu(TinkerCanvas *canvas)
     return GDK_EVENT_STOP;
 }
 
-/* Keys ----------------------------------------------------------------------------------------------------------------
- */
+/* Keys ------------------------------------------------------------------------------------------------------------- */
 
 static gboolean nudge(TinkerCanvas *canvas, int right, int up, GdkModifierType modifiers)
 {

@@ -61,8 +61,7 @@ gboolean canvas_vectors_shows(TinkerDocument *document, TinkerBlockId body)
     return bodies == 0;
 }
 
-/* The record ----------------------------------------------------------------------------------------------------------
- */
+/* The record ------------------------------------------------------------------------------------------------------- */
 
 static void begin_anew(CanvasVectors *vectors, TinkerDocument *document, TinkerPlayer *player)
 {
@@ -151,8 +150,7 @@ const TinkerMotionTrail *canvas_vectors_trail(const CanvasVectors *vectors)
     return vectors->trail;
 }
 
-/* Now -----------------------------------------------------------------------------------------------------------------
- */
+/* Now -------------------------------------------------------------------------------------------------------------- */
 
 typedef struct {
     GArray *vectors;

@@ -104,8 +104,7 @@ void tinker_canvas_scale_forces(TinkerCanvas *canvas, double factor)
     gtk_widget_queue_draw(GTK_WIDGET(canvas));
 }
 
-/* The switches --------------------------------------------------------------------------------------------------------
- */
+/* The switches ----------------------------------------------------------------------------------------------------- */
 
 static gboolean *switch_of(TinkerCanvas *canvas, guint property)
 {
@@ -148,8 +147,7 @@ static void tinker_canvas_set_property(GObject *object, guint property, const GV
     gtk_widget_queue_draw(GTK_WIDGET(object));
 }
 
-/* The widget ----------------------------------------------------------------------------------------------------------
- */
+/* The widget ------------------------------------------------------------------------------------------------------- */
 
 static void tinker_canvas_size_allocate(GtkWidget *widget, int width, int height, int baseline)
 {

@@ -20,8 +20,7 @@ static TinkerScene *scene_of(TinkerOutline *outline)
     return tinker_document_scene(outline->document);
 }
 
-/* Selection -----------------------------------------------------------------------------------------------------------
- */
+/* Selection -------------------------------------------------------------------------------------------------------- */
 
 /* By id; a set. (transfer full) */
 static GHashTable *selected_blocks(TinkerOutline *outline)
@@ -142,8 +141,7 @@ static void refresh_soon(TinkerOutline *outline)
     if (outline->refresh == 0) outline->refresh = g_timeout_add(REFRESH_DELAY, on_refresh, outline);
 }
 
-/* Searching -----------------------------------------------------------------------------------------------------------
- */
+/* Searching -------------------------------------------------------------------------------------------------------- */
 
 static gboolean is_wanted(gpointer item, gpointer data)
 {
@@ -178,8 +176,7 @@ static void on_search_stopped(TinkerOutline *outline)
     gtk_widget_grab_focus(outline->list);
 }
 
-/* The widget ----------------------------------------------------------------------------------------------------------
- */
+/* The widget ------------------------------------------------------------------------------------------------------- */
 
 static GtkWidget *make_header(TinkerOutline *outline)
 {

@@ -21,8 +21,7 @@ static void forget_points(TinkerGraphData *data)
     data->revision++;
 }
 
-/* The graph -----------------------------------------------------------------------------------------------------------
- */
+/* The graph -------------------------------------------------------------------------------------------------------- */
 
 static void add_line(TinkerGraphData *data, const TinkerSceneCurve *curve, TinkerKeptRun *run, GPtrArray *old)
 {
@@ -110,8 +109,7 @@ gboolean tinker_graph_data_is_spectrum(const TinkerGraphData *data)
     return data->is_spectrum;
 }
 
-/* The record ----------------------------------------------------------------------------------------------------------
- */
+/* The record ------------------------------------------------------------------------------------------------------- */
 
 static gboolean read_player(gpointer source, TinkerQuantity quantity, TinkerSeriesCursor *cursor, GArray *times,
                             GArray *values)
@@ -257,8 +255,7 @@ gsize tinker_graph_data_point(const TinkerGraphData *data, guint curve, gsize dr
     return data->drawn_thin ? g_array_index(graph_line(data, curve)->thin.kept, guint, drawn) : drawn;
 }
 
-/* Life ----------------------------------------------------------------------------------------------------------------
- */
+/* Life ------------------------------------------------------------------------------------------------------------- */
 
 TinkerGraphData *tinker_graph_data_new(TinkerDocument *document, TinkerPlayer *player)
 {

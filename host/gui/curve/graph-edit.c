@@ -85,8 +85,7 @@ void tinker_graph_dock(TinkerDocument *document, int number)
     tinker_document_end(document);
 }
 
-/* Curves --------------------------------------------------------------------------------------------------------------
- */
+/* Curves ----------------------------------------------------------------------------------------------------------- */
 
 static gboolean change(TinkerDocument *document, int number, const TinkerSceneGraph *graph, GError **error)
 {
@@ -145,8 +144,7 @@ gboolean tinker_graph_set_against(TinkerDocument *document, int number, const ch
     return change(document, number, graph, error);
 }
 
-/* Room ----------------------------------------------------------------------------------------------------------------
- */
+/* Room ------------------------------------------------------------------------------------------------------------- */
 
 static double covered(const TinkerGraphBox *a, const TinkerGraphBox *b)
 {

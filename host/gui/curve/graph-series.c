@@ -24,8 +24,7 @@ static const double *numbers(const GArray *array)
     return (const double *)(gconstpointer)array->data;
 }
 
-/* What the curve is ---------------------------------------------------------------------------------------------------
- */
+/* What the curve is ------------------------------------------------------------------------------------------------ */
 
 static void add_source(TinkerGraphSeries *series, TinkerBlockId block, int32_t quantity)
 {
@@ -213,8 +212,7 @@ gboolean tinker_graph_series_is_table(const TinkerGraphSeries *series)
     return series->is_table;
 }
 
-/* The record ----------------------------------------------------------------------------------------------------------
- */
+/* The record ------------------------------------------------------------------------------------------------------- */
 
 void tinker_graph_series_forget(TinkerGraphSeries *series)
 {

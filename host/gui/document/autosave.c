@@ -26,8 +26,7 @@ G_DEFINE_FINAL_TYPE(TinkerAutosave, tinker_autosave, G_TYPE_OBJECT)
 enum { FAILED, WORKING, SIGNALS };
 static guint signals[SIGNALS];
 
-/* Names ---------------------------------------------------------------------------------------------------------------
- */
+/* Names ------------------------------------------------------------------------------------------------------------ */
 
 char *tinker_autosave_new_stem(void)
 {
@@ -36,8 +35,7 @@ char *tinker_autosave_new_stem(void)
     return g_strdup_printf("%s/%s-%d", folder, tinker_session_name(), ++number);
 }
 
-/* Writing -------------------------------------------------------------------------------------------------------------
- */
+/* Writing ---------------------------------------------------------------------------------------------------------- */
 
 static void set_text(GKeyFile *info, const char *key, const char *text)
 {
@@ -117,8 +115,7 @@ static double seconds_between(void)
     return seconds > 0 && seconds < 1e6 ? MAX(seconds, LEAST_SECONDS) : DEFAULT_SECONDS;
 }
 
-/* The document's file -------------------------------------------------------------------------------------------------
- */
+/* The document's file ---------------------------------------------------------------------------------------------- */
 
 static void remove_one(const char *stem, const char *ending)
 {
@@ -151,8 +148,7 @@ static void on_replaced(TinkerAutosave *autosave)
     autosave->written = FALSE;
 }
 
-/* The object ----------------------------------------------------------------------------------------------------------
- */
+/* The object ------------------------------------------------------------------------------------------------------- */
 
 static void tinker_autosave_dispose(GObject *object)
 {

@@ -59,8 +59,7 @@ gboolean carry_tables(TinkerScene *scene, const char *from, const char *to, GErr
     return TRUE;
 }
 
-/* One table -----------------------------------------------------------------------------------------------------------
- */
+/* One table -------------------------------------------------------------------------------------------------------- */
 
 /* Both by their real places: a folder may have been reached through a link. */
 char *table_name_in_scene(const char *scene, const char *table)

@@ -233,8 +233,7 @@ gboolean tinker_document_is_empty(TinkerDocument *document)
     return TRUE;
 }
 
-/* Editing -----------------------------------------------------------------------------------------------------------
- */
+/* Editing ---------------------------------------------------------------------------------------------------------- */
 
 static void drop_removed(TinkerDocument *document)
 {
@@ -392,8 +391,7 @@ void tinker_document_move_selected(TinkerDocument *document, double dx, double d
     tinker_document_end(document);
 }
 
-/* Selection ---------------------------------------------------------------------------------------------------------
- */
+/* Selection -------------------------------------------------------------------------------------------------------- */
 
 const TinkerBlockId *tinker_document_selection(TinkerDocument *document, int *count)
 {

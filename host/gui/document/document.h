@@ -72,8 +72,7 @@ gboolean tinker_document_recover(TinkerDocument *document, const char *text, gsi
 /* Whether there is nothing in the scene that has a place on the canvas. */
 gboolean tinker_document_is_empty(TinkerDocument *document);
 
-/* Editing -----------------------------------------------------------------------------------------------------------
- */
+/* Editing ---------------------------------------------------------------------------------------------------------- */
 
 /* One step for undo; steps do not nest: one that is open is interrupted. `merge` as in history.h. */
 void tinker_document_begin(TinkerDocument *document, const char *title, const char *merge);
@@ -104,8 +103,7 @@ void tinker_document_order_selected(TinkerDocument *document, gboolean in_front)
 void tinker_document_shift_selected(TinkerDocument *document, double dx, double dy);
 void tinker_document_move_selected(TinkerDocument *document, double dx, double dy, const char *merge);
 
-/* Selection ---------------------------------------------------------------------------------------------------------
- */
+/* Selection -------------------------------------------------------------------------------------------------------- */
 
 /* In the order in which they were selected. Borrowed, valid until the selection changes. */
 const TinkerBlockId *tinker_document_selection(TinkerDocument *document, int *count);

@@ -33,8 +33,7 @@ static void result_free(TinkerPlanResult *result)
     g_free(result);
 }
 
-/* The thread ----------------------------------------------------------------------------------------------------------
- */
+/* The thread ------------------------------------------------------------------------------------------------------- */
 
 typedef struct {
     TinkerPlanTask *owner; /* borrowed; of the main thread */
@@ -78,8 +77,7 @@ static void job_free(void *data)
     g_free(job);
 }
 
-/* The owner -----------------------------------------------------------------------------------------------------------
- */
+/* The owner -------------------------------------------------------------------------------------------------------- */
 
 static void set_result(TinkerPlanTask *task, TinkerPlanResult *result)
 {
@@ -157,8 +155,7 @@ void tinker_plan_task_demand(TinkerPlanTask *task)
     if (task->due && task->background == NULL) start(task);
 }
 
-/* The object ----------------------------------------------------------------------------------------------------------
- */
+/* The object ------------------------------------------------------------------------------------------------------- */
 
 static void tinker_plan_task_finalize(GObject *object)
 {

@@ -159,8 +159,7 @@ gboolean tinker_player_wait(TinkerPlayer *player, double time, GError **error)
     return FALSE;
 }
 
-/* The object ----------------------------------------------------------------------------------------------------------
- */
+/* The object ------------------------------------------------------------------------------------------------------- */
 
 static void tinker_player_finalize(GObject *object)
 {

@@ -99,8 +99,7 @@ guint tinker_recording_generation(TinkerRecording *recording)
     return recording->generation;
 }
 
-/* Frames --------------------------------------------------------------------------------------------------------------
- */
+/* Frames ----------------------------------------------------------------------------------------------------------- */
 
 /* How far it turned from one sample to the next: of all whole turns more or less, what its rates make of the time. */
 static double turn_between(const TinkerBodySample *a, const TinkerBodySample *b, double time)
@@ -159,8 +158,7 @@ gboolean tinker_recording_place(const TinkerRecording *recording, TinkerFrame *f
     return TRUE;
 }
 
-/* Curves --------------------------------------------------------------------------------------------------------------
- */
+/* Curves ----------------------------------------------------------------------------------------------------------- */
 
 gboolean tinker_recording_series(const TinkerRecording *recording, TinkerQuantity quantity, TinkerSeriesCursor *cursor,
                                  GArray *times, GArray *values)
@@ -193,8 +191,7 @@ gboolean tinker_recording_band(const TinkerRecording *recording, TinkerQuantity 
     return recording->segments->len > 0;
 }
 
-/* Bodies --------------------------------------------------------------------------------------------------------------
- */
+/* Bodies ----------------------------------------------------------------------------------------------------------- */
 
 static gboolean visit_row(TinkerRunTask *task, gsize row, TinkerBodiesFunc visit, void *data)
 {

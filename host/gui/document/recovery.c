@@ -33,8 +33,7 @@ char *tinker_recovery_discarded_folder(void)
     return g_build_filename(g_get_user_state_dir(), "tinker", "autosave-discarded", NULL);
 }
 
-/* Who was to blame ----------------------------------------------------------------------------------------------------
- */
+/* Who was to blame ------------------------------------------------------------------------------------------------- */
 
 static char *crash_note(const char *session)
 {
@@ -90,8 +89,7 @@ char *tinker_recovery_take_blame(void)
     return last;
 }
 
-/* The list ------------------------------------------------------------------------------------------------------------
- */
+/* The list --------------------------------------------------------------------------------------------------------- */
 
 static gint64 time_of_file(const char *stem)
 {
@@ -150,8 +148,7 @@ GPtrArray *tinker_recovery_list(void)
     return list;
 }
 
-/* Moving --------------------------------------------------------------------------------------------------------------
- */
+/* Moving ----------------------------------------------------------------------------------------------------------- */
 
 static int move_one(const char *from, const char *to, const char *ending)
 {

@@ -39,8 +39,7 @@ static char *lock_path(const char *name)
     return g_strdup_printf("%s/%s" TINKER_SESSION_LOCK, folder, name);
 }
 
-/* Holding -------------------------------------------------------------------------------------------------------------
- */
+/* Holding ---------------------------------------------------------------------------------------------------------- */
 
 static void close_lock(void)
 {
@@ -89,8 +88,7 @@ void tinker_session_release(void)
     close_lock();
 }
 
-/* Others --------------------------------------------------------------------------------------------------------------
- */
+/* Others ----------------------------------------------------------------------------------------------------------- */
 
 /* Its lock, where nobody else holds it; -1: somebody does, or there is none. */
 static int take_lock(const char *path, gboolean *held)

@@ -24,8 +24,7 @@ char *tinker_status_size_text(double value, int digits)
                             : g_steal_pointer(&text);
 }
 
-/* How it is run -------------------------------------------------------------------------------------------------------
- */
+/* How it is run ---------------------------------------------------------------------------------------------------- */
 
 static gboolean is_all_alike(const TinkerPlan *plan)
 {
@@ -96,8 +95,7 @@ static void fill_method(const TinkerStatusFacts *facts, TinkerStatusItem *item)
     if (item->text != NULL) item->tooltip = method_tooltip(plan);
 }
 
-/* How well it goes ----------------------------------------------------------------------------------------------------
- */
+/* How well it goes ------------------------------------------------------------------------------------------------- */
 
 static double expected_error(const TinkerPlanResult *plan)
 {
@@ -170,8 +168,7 @@ static void fill_constraints(const TinkerStatusFacts *facts, TinkerStatusItem *i
     item->warning = facts->run->constraint_error > LARGE_CONSTRAINT;
 }
 
-/* How far it has got --------------------------------------------------------------------------------------------------
- */
+/* How far it has got ----------------------------------------------------------------------------------------------- */
 
 static void fill_event(const TinkerStatusFacts *facts, TinkerStatusItem *item)
 {

@@ -25,8 +25,7 @@ struct _TinkerEquationRow {
 
 G_DEFINE_FINAL_TYPE(TinkerEquationRow, tinker_equation_row, GTK_TYPE_WIDGET)
 
-/* Layout --------------------------------------------------------------------------------------------------------------
- */
+/* Layout ----------------------------------------------------------------------------------------------------------- */
 
 static void size_of(GtkWidget *child, int size[2])
 {
@@ -127,8 +126,7 @@ static void tinker_equation_row_size_allocate(GtkWidget *widget, int width, int 
     lay_out(widget, width, TRUE);
 }
 
-/* Values --------------------------------------------------------------------------------------------------------------
- */
+/* Values ----------------------------------------------------------------------------------------------------------- */
 
 /* Whether a force is what the term stands for: of what touches there are two. */
 static gboolean is_of(const TinkerActingForce *force, const Term *term, TinkerBlockId body)
@@ -196,8 +194,7 @@ void tinker_equation_row_show_values(TinkerEquationRow *row, const TinkerModelSt
     }
 }
 
-/* Life ----------------------------------------------------------------------------------------------------------------
- */
+/* Life ------------------------------------------------------------------------------------------------------------- */
 
 static void add_left(TinkerEquationRow *row, TinkerDocument *document, const TinkerEquationLine *shown,
                      const TinkerEquationLine *spoken)

@@ -63,8 +63,7 @@ static void tinker_equation_term_snapshot(GtkWidget *widget, GtkSnapshot *snapsh
     cairo_destroy(cairo);
 }
 
-/* Pointing ------------------------------------------------------------------------------------------------------------
- */
+/* Pointing --------------------------------------------------------------------------------------------------------- */
 
 static void point(TinkerEquationTerm *term)
 {
@@ -125,8 +124,7 @@ static void add_input(TinkerEquationTerm *term)
     on_pointed(term);
 }
 
-/* Values --------------------------------------------------------------------------------------------------------------
- */
+/* Values ----------------------------------------------------------------------------------------------------------- */
 
 double tinker_equation_term_above(TinkerEquationTerm *term)
 {
@@ -154,8 +152,7 @@ void tinker_equation_term_set_value(TinkerEquationTerm *term, const char *value,
                                    value != NULL ? value : "", -1);
 }
 
-/* Life ----------------------------------------------------------------------------------------------------------------
- */
+/* Life ------------------------------------------------------------------------------------------------------------- */
 
 GtkWidget *tinker_equation_term_new(TinkerDocument *document, TinkerBlockId block, const char *mathml,
                                     const char *spoken)

@@ -29,8 +29,7 @@ struct _TinkerEquationsPage {
 
 G_DEFINE_FINAL_TYPE(TinkerEquationsPage, tinker_equations_page, GTK_TYPE_WIDGET)
 
-/* Equations -----------------------------------------------------------------------------------------------------------
- */
+/* Equations -------------------------------------------------------------------------------------------------------- */
 
 static guint form_of(TinkerEquationsPage *page)
 {
@@ -183,8 +182,7 @@ static void on_task_changed(TinkerEquationsPage *page)
     show_pictures(page, result);
 }
 
-/* Copying -------------------------------------------------------------------------------------------------------------
- */
+/* Copying ---------------------------------------------------------------------------------------------------------- */
 
 static void copy_equations(GtkWidget *widget, const char *name, GVariant *parameter)
 {
@@ -206,8 +204,7 @@ static void copy_equations(GtkWidget *widget, const char *name, GVariant *parame
     gdk_clipboard_set_text(gtk_widget_get_clipboard(widget), text);
 }
 
-/* What is going on ----------------------------------------------------------------------------------------------------
- */
+/* What is going on ------------------------------------------------------------------------------------------------- */
 
 /* Where it stops at the moment of the last result, no other one comes. */
 static void on_state_changed(TinkerEquationsPage *page)
@@ -232,8 +229,7 @@ gboolean tinker_equations_page_is_behind(TinkerEquationsPage *page)
     return tinker_model_task_is_due(page->task);
 }
 
-/* Life ----------------------------------------------------------------------------------------------------------------
- */
+/* Life ------------------------------------------------------------------------------------------------------------- */
 
 static GtkWidget *new_copy_button(void)
 {

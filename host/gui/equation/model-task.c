@@ -46,8 +46,7 @@ static void result_free(TinkerModelResult *result)
     g_free(result);
 }
 
-/* The thread ----------------------------------------------------------------------------------------------------------
- */
+/* The thread ------------------------------------------------------------------------------------------------------- */
 
 typedef struct {
     TinkerModelTask *owner; /* borrowed; of the main thread */
@@ -125,8 +124,7 @@ static void job_free(void *data)
     g_free(job);
 }
 
-/* The owner -----------------------------------------------------------------------------------------------------------
- */
+/* The owner -------------------------------------------------------------------------------------------------------- */
 
 static gboolean is_playing(TinkerModelTask *task)
 {
@@ -256,8 +254,7 @@ gboolean tinker_model_task_is_due(TinkerModelTask *task)
     return task->wanted && task->due;
 }
 
-/* The object ----------------------------------------------------------------------------------------------------------
- */
+/* The object ------------------------------------------------------------------------------------------------------- */
 
 static void tinker_model_task_finalize(GObject *object)
 {

@@ -57,8 +57,7 @@ double tinker_film_settings_pictures(const TinkerFilmSettings *settings, double 
     return 1 + duration * settings->frames_per_second / settings->speed;
 }
 
-/* The thread ----------------------------------------------------------------------------------------------------------
- */
+/* The thread ------------------------------------------------------------------------------------------------------- */
 
 static gboolean is_cancelled(void *data)
 {
@@ -147,8 +146,7 @@ static void work(TinkerBackground *background, void *data)
                    tinker_motion_film_write(motion, &drawing, &drawn, &job->error);
 }
 
-/* The owner -----------------------------------------------------------------------------------------------------------
- */
+/* The owner -------------------------------------------------------------------------------------------------------- */
 
 static void let_go(TinkerFilmTask *task)
 {
@@ -233,8 +231,7 @@ const char *tinker_film_task_stopped_by(TinkerFilmTask *task)
     return task->stopped_by;
 }
 
-/* The object ----------------------------------------------------------------------------------------------------------
- */
+/* The object ------------------------------------------------------------------------------------------------------- */
 
 static void tinker_film_task_finalize(GObject *object)
 {

@@ -27,8 +27,7 @@ struct _TinkerGallery {
 G_DECLARE_FINAL_TYPE(TinkerGallery, tinker_gallery, TINKER, GALLERY, AdwWindow)
 G_DEFINE_FINAL_TYPE(TinkerGallery, tinker_gallery, ADW_TYPE_WINDOW)
 
-/* Searching -----------------------------------------------------------------------------------------------------------
- */
+/* Searching -------------------------------------------------------------------------------------------------------- */
 
 static gboolean has_all_words(GtkFlowBoxChild *child, gpointer data)
 {
@@ -55,8 +54,7 @@ static void on_search(GtkSearchEntry *entry, TinkerGallery *gallery)
     gtk_widget_set_visible(gallery->nothing, !any);
 }
 
-/* Parts ---------------------------------------------------------------------------------------------------------------
- */
+/* Parts ------------------------------------------------------------------------------------------------------------ */
 
 /* What is opened is the window's, to which its action belongs. */
 static void on_chosen(GtkWidget *button, const TinkerExample *example)
@@ -125,8 +123,7 @@ static GtkWidget *content_new(TinkerGallery *gallery, GtkWidget *box)
     return all;
 }
 
-/* The window ----------------------------------------------------------------------------------------------------------
- */
+/* The window ------------------------------------------------------------------------------------------------------- */
 
 static void tinker_gallery_finalize(GObject *object)
 {

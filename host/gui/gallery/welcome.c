@@ -25,8 +25,7 @@ struct _TinkerWelcome {
 
 G_DEFINE_FINAL_TYPE(TinkerWelcome, tinker_welcome, GTK_TYPE_WIDGET)
 
-/* The card ------------------------------------------------------------------------------------------------------------
- */
+/* The card --------------------------------------------------------------------------------------------------------- */
 
 static void fit_pictures(TinkerWelcome *welcome)
 {
@@ -114,8 +113,7 @@ static GtkWidget *card_new(TinkerWelcome *welcome)
     return card;
 }
 
-/* When it is shown ----------------------------------------------------------------------------------------------------
- */
+/* When it is shown ------------------------------------------------------------------------------------------------- */
 
 static void update(TinkerWelcome *welcome)
 {

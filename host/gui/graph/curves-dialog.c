@@ -61,8 +61,7 @@ static void tell(Dialog *dialog, GError *error)
     gtk_editable_set_position(GTK_EDITABLE(dialog->expression), column - 1);
 }
 
-/* The list ------------------------------------------------------------------------------------------------------------
- */
+/* The list --------------------------------------------------------------------------------------------------------- */
 
 static char *name_of(const TinkerSceneCurve *curve)
 {
@@ -145,8 +144,7 @@ static void on_changed(GtkWindow *window)
     g_idle_add_full(G_PRIORITY_HIGH_IDLE, fill, g_object_ref(window), g_object_unref);
 }
 
-/* More ----------------------------------------------------------------------------------------------------------------
- */
+/* More ------------------------------------------------------------------------------------------------------------- */
 
 static gboolean add(Dialog *dialog, const TinkerSceneCurve *curve)
 {
@@ -238,8 +236,7 @@ static void on_scale(GtkWidget *button, Dialog *dialog)
     tell(dialog, error);
 }
 
-/* The window ----------------------------------------------------------------------------------------------------------
- */
+/* The window ------------------------------------------------------------------------------------------------------- */
 
 static GtkWidget *add_line(GtkWidget *box)
 {

@@ -44,8 +44,7 @@ const TinkerSceneGraph *tinker_graph_board_graph(TinkerGraphBoard *board, Tinker
     return g_ptr_array_index(graphs, tinker_graph_view_number(view));
 }
 
-/* Keeping up ----------------------------------------------------------------------------------------------------------
- */
+/* Keeping up ------------------------------------------------------------------------------------------------------- */
 
 /* Takes the first view that fits out of `old`; NULL. */
 static TinkerGraphView *take_fitting(GPtrArray *old, const TinkerSceneGraph *graph)
@@ -125,8 +124,7 @@ void tinker_graph_board_set_player(TinkerGraphBoard *board, TinkerDocument *docu
     on_changed(board);
 }
 
-/* The widget ----------------------------------------------------------------------------------------------------------
- */
+/* The widget ------------------------------------------------------------------------------------------------------- */
 
 static void tinker_graph_board_dispose(GObject *object)
 {

@@ -49,8 +49,7 @@ void tinker_graph_copy(GtkWidget *widget, TinkerGraphData *data, int width, int 
     gdk_clipboard_set_texture(gtk_widget_get_clipboard(widget), texture);
 }
 
-/* Asking --------------------------------------------------------------------------------------------------------------
- */
+/* Asking ----------------------------------------------------------------------------------------------------------- */
 
 static void question_free(Question *question)
 {
@@ -69,8 +68,7 @@ static void tell(GtkWidget *view, const char *heading, const char *body)
     tinker_message(window_of(view), heading, body);
 }
 
-/* Pictures ------------------------------------------------------------------------------------------------------------
- */
+/* Pictures --------------------------------------------------------------------------------------------------------- */
 
 static void on_image_file(GtkNativeDialog *dialog, int response, Question *question)
 {
@@ -96,8 +94,7 @@ void tinker_graph_save_image(GtkWidget *view, TinkerGraphData *data, int width, 
     gtk_native_dialog_show(GTK_NATIVE_DIALOG(dialog));
 }
 
-/* Values --------------------------------------------------------------------------------------------------------------
- */
+/* Values ----------------------------------------------------------------------------------------------------------- */
 
 static void on_values_file(GtkNativeDialog *dialog, int response, Question *question)
 {

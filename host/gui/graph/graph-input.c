@@ -35,8 +35,7 @@ char *tinker_graph_plot_zoom_text(TinkerGraphPlot *plot)
                            plot->zoom.range[0][0], plot->zoom.range[0][1]);
 }
 
-/* Commands ------------------------------------------------------------------------------------------------------------
- */
+/* Commands --------------------------------------------------------------------------------------------------------- */
 
 void tinker_graph_plot_zoom(TinkerGraphPlot *plot, TinkerGraphAxes axes, double factor)
 {
@@ -79,8 +78,7 @@ void tinker_graph_plot_go_to_next(TinkerGraphPlot *plot, gboolean forward)
         gtk_widget_error_bell(GTK_WIDGET(plot));
 }
 
-/* Cursors -------------------------------------------------------------------------------------------------------------
- */
+/* Cursors ---------------------------------------------------------------------------------------------------------- */
 
 /* A third one takes the place of the nearer of two. */
 static void put_cursor(TinkerGraphPlot *plot, const TinkerGraphReading *reading)
@@ -145,8 +143,7 @@ char *tinker_graph_plot_cursor_text(TinkerGraphPlot *plot)
     return g_strdup_printf("%s, %s%s%s", dx, dy, gap, shown_rate);
 }
 
-/* The mouse -----------------------------------------------------------------------------------------------------------
- */
+/* The mouse -------------------------------------------------------------------------------------------------------- */
 
 static GdkModifierType modifiers_of(gpointer controller)
 {

@@ -35,8 +35,7 @@ static gboolean floats(const TinkerSceneGraph *graph)
     return graph->has_place;
 }
 
-/* Places --------------------------------------------------------------------------------------------------------------
- */
+/* Places ----------------------------------------------------------------------------------------------------------- */
 
 static double held(double length, double least, double most)
 {
@@ -167,8 +166,7 @@ void tinker_graph_layer_draw_for_paper(TinkerGraphLayer *layer, cairo_t *cairo)
     }
 }
 
-/* Dragging ------------------------------------------------------------------------------------------------------------
- */
+/* Dragging --------------------------------------------------------------------------------------------------------- */
 
 static void commit(TinkerGraphLayer *layer, TinkerGraphView *graph_view, const TinkerGraphBox *box, gboolean moved,
                    gboolean sized, const char *merge)
@@ -255,8 +253,7 @@ static void on_released(GtkGestureClick *gesture, int presses, double x, double 
     commit(layer, view_of(gesture), &(TinkerGraphBox){0}, FALSE, FALSE, NULL);
 }
 
-/* Keys ----------------------------------------------------------------------------------------------------------------
- */
+/* Keys ------------------------------------------------------------------------------------------------------------- */
 
 static gboolean on_key(GtkEventControllerKey *controller, guint key, guint code, GdkModifierType modifiers,
                        TinkerGraphLayer *layer)
@@ -282,8 +279,7 @@ static gboolean on_key(GtkEventControllerKey *controller, guint key, guint code,
     return GDK_EVENT_PROPAGATE;
 }
 
-/* The widget ----------------------------------------------------------------------------------------------------------
- */
+/* The widget ------------------------------------------------------------------------------------------------------- */
 
 static void add_drag(TinkerGraphLayer *layer, GtkWidget *part)
 {

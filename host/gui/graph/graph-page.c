@@ -22,8 +22,7 @@ struct _TinkerGraphPage {
 
 G_DEFINE_FINAL_TYPE(TinkerGraphPage, tinker_graph_page, GTK_TYPE_WIDGET)
 
-/* Lists ---------------------------------------------------------------------------------------------------------------
- */
+/* Lists ------------------------------------------------------------------------------------------------------------ */
 
 static TinkerBlockId chosen_block(TinkerGraphPage *page)
 {
@@ -147,8 +146,7 @@ static void on_add(TinkerGraphPage *page)
     gtk_widget_activate_action(GTK_WIDGET(page), "win.add-graph", "s", target);
 }
 
-/* The widget ----------------------------------------------------------------------------------------------------------
- */
+/* The widget ------------------------------------------------------------------------------------------------------- */
 
 static GtkWidget *add_list(GtkWidget *row, const char *title)
 {

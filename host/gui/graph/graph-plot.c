@@ -36,8 +36,7 @@ void tinker_graph_plot_set_show_values(TinkerGraphPlot *plot, gboolean show)
     tinker_graph_plot_renew(plot);
 }
 
-/* Painting ------------------------------------------------------------------------------------------------------------
- */
+/* Painting --------------------------------------------------------------------------------------------------------- */
 
 static void paint_hint(TinkerGraphPlot *plot, cairo_t *cairo)
 {
@@ -163,8 +162,7 @@ gboolean tinker_graph_plot_any_behind(GtkWidget *root)
     return FALSE;
 }
 
-/* The widget ----------------------------------------------------------------------------------------------------------
- */
+/* The widget ------------------------------------------------------------------------------------------------------- */
 
 static void tinker_graph_plot_dispose(GObject *object)
 {

@@ -51,8 +51,7 @@ TinkerGraphData *tinker_graph_view_data(TinkerGraphView *view)
     return tinker_graph_plot_data(TINKER_GRAPH_PLOT(view->plot));
 }
 
-/* The graph -----------------------------------------------------------------------------------------------------------
- */
+/* The graph -------------------------------------------------------------------------------------------------------- */
 
 static char *identity_of(const TinkerSceneGraph *graph)
 {
@@ -145,8 +144,7 @@ void tinker_graph_view_set_number(TinkerGraphView *view, int number)
     gtk_widget_action_set_enabled(GTK_WIDGET(view), "graph.float", !graph->has_place);
 }
 
-/* Actions -------------------------------------------------------------------------------------------------------------
- */
+/* Actions ---------------------------------------------------------------------------------------------------------- */
 
 /* Passes it on to the window, which may take the view away meanwhile. */
 static void edit(GtkWidget *widget, const char *name, GVariant *parameter)
@@ -206,8 +204,7 @@ static void set_against(GtkWidget *widget, const char *name, GVariant *parameter
         gtk_widget_error_bell(widget);
 }
 
-/* The menu ------------------------------------------------------------------------------------------------------------
- */
+/* The menu --------------------------------------------------------------------------------------------------------- */
 
 static void show_menu_at(TinkerGraphView *view, double x, double y)
 {
@@ -238,8 +235,7 @@ static void on_press(GtkGestureClick *gesture, int presses, double x, double y, 
     gtk_widget_grab_focus(GTK_WIDGET(view));
 }
 
-/* The widget ----------------------------------------------------------------------------------------------------------
- */
+/* The widget ------------------------------------------------------------------------------------------------------- */
 
 static GtkWidget *add_button(GtkWidget *bar, const char *icon, const char *label, const char *action)
 {

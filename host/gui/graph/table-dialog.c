@@ -49,8 +49,7 @@ static void add_table(const Dialog *dialog, int time_column, int column)
     dialog->told(dialog->over, error);
 }
 
-/* The columns ---------------------------------------------------------------------------------------------------------
- */
+/* The columns ------------------------------------------------------------------------------------------------------ */
 
 /* What is in one column cannot be over itself. */
 static void on_selected(Dialog *dialog)
@@ -109,8 +108,7 @@ static void ask_for_columns(Dialog *dialog)
     gtk_widget_grab_focus(GTK_WIDGET(dialog->values));
 }
 
-/* The file ------------------------------------------------------------------------------------------------------------
- */
+/* The file --------------------------------------------------------------------------------------------------------- */
 
 /* Of two columns it is plain which is which. */
 static void on_file(GtkNativeDialog *chooser, int response, Dialog *dialog)

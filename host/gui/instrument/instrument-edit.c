@@ -159,8 +159,7 @@ gboolean tinker_instrument_set_range(TinkerDocument *document, int number, doubl
     return set(document, number, &changed, _("Change Control"), NULL, error);
 }
 
-/* Words ---------------------------------------------------------------------------------------------------------------
- */
+/* Words ------------------------------------------------------------------------------------------------------------ */
 
 /* What is known of the number or quantity; FALSE of a block whose type nobody provides. */
 static gboolean describe(const TinkerScene *scene, const TinkerSceneInstrument *instrument, TinkerBlockId *block,

@@ -47,8 +47,7 @@ static const TinkerSceneInstrument *instrument_of(TinkerInstrumentLayer *layer, 
                              (guint)tinker_instrument_view_number(view));
 }
 
-/* Places --------------------------------------------------------------------------------------------------------------
- */
+/* Places ----------------------------------------------------------------------------------------------------------- */
 
 /* On a small canvas they are smaller, so that they leave something of it to be seen. */
 static double shrinkage(TinkerInstrumentLayer *layer)
@@ -238,8 +237,7 @@ static void add_panels(TinkerInstrumentLayer *layer, GArray *boxes)
     }
 }
 
-/* Moving --------------------------------------------------------------------------------------------------------------
- */
+/* Moving ----------------------------------------------------------------------------------------------------------- */
 
 static void commit(TinkerInstrumentLayer *layer, TinkerInstrumentView *view, double x, double y, const char *merge)
 {
@@ -306,8 +304,7 @@ static gboolean on_key(GtkEventControllerKey *controller, guint key, guint code,
     return GDK_EVENT_STOP;
 }
 
-/* Keeping up ----------------------------------------------------------------------------------------------------------
- */
+/* Keeping up ------------------------------------------------------------------------------------------------------- */
 
 static TinkerInstrumentView *view_new(TinkerInstrumentLayer *layer, int number)
 {
@@ -353,8 +350,7 @@ static void on_changed(TinkerInstrumentLayer *layer)
     look_again(layer);
 }
 
-/* The widget ----------------------------------------------------------------------------------------------------------
- */
+/* The widget ------------------------------------------------------------------------------------------------------- */
 
 static void tinker_instrument_layer_dispose(GObject *object)
 {

@@ -51,8 +51,7 @@ static const TinkerSceneInstrument *instrument_of(TinkerInstrumentView *view)
     return view->number < (int)all->len ? g_ptr_array_index(all, (guint)view->number) : NULL;
 }
 
-/* Values --------------------------------------------------------------------------------------------------------------
- */
+/* Values ----------------------------------------------------------------------------------------------------------- */
 
 static void tell(TinkerInstrumentView *view, const char *text)
 {
@@ -172,8 +171,7 @@ static void show(TinkerInstrumentView *view)
         show_meter(view);
 }
 
-/* Turning -------------------------------------------------------------------------------------------------------------
- */
+/* Turning ---------------------------------------------------------------------------------------------------------- */
 
 /* The step that is nearest, as it would be typed: 0.3 and not three times 0.1. */
 static double at_step(const TinkerSceneInstrument *control, double si)
@@ -250,8 +248,7 @@ static gboolean take_typed(const char *text, gpointer data)
     return TRUE;
 }
 
-/* Parts ---------------------------------------------------------------------------------------------------------------
- */
+/* Parts ------------------------------------------------------------------------------------------------------------ */
 
 static GtkWidget *turned_part(TinkerInstrumentView *view)
 {
@@ -346,8 +343,7 @@ GtkWidget *tinker_instrument_view_bar(TinkerInstrumentView *view)
     return view->bar;
 }
 
-/* Commands ------------------------------------------------------------------------------------------------------------
- */
+/* Commands --------------------------------------------------------------------------------------------------------- */
 
 static void delete_instrument(GtkWidget *widget, const char *name, GVariant *parameter)
 {
@@ -404,8 +400,7 @@ static void on_menu(GtkGestureClick *gesture, int presses, double x, double y, G
     popup(view, x, y);
 }
 
-/* The widget ----------------------------------------------------------------------------------------------------------
- */
+/* The widget ------------------------------------------------------------------------------------------------------- */
 
 static void tinker_instrument_view_dispose(GObject *object)
 {

@@ -60,8 +60,7 @@ static void tinker_knob_measure(GtkWidget *widget, GtkOrientation orientation, i
     *least = *natural = SIZE;
 }
 
-/* Turning -------------------------------------------------------------------------------------------------------------
- */
+/* Turning ---------------------------------------------------------------------------------------------------------- */
 
 static void turn_by(TinkerKnob *knob, double from, double share)
 {
@@ -122,8 +121,7 @@ static void on_value_changed(TinkerKnob *knob)
     gtk_widget_queue_draw(GTK_WIDGET(knob));
 }
 
-/* The widget ----------------------------------------------------------------------------------------------------------
- */
+/* The widget ------------------------------------------------------------------------------------------------------- */
 
 static void tinker_knob_dispose(GObject *object)
 {

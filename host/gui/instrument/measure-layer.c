@@ -59,8 +59,7 @@ void tinker_measure_layer_begin(TinkerMeasureLayer *layer, TinkerMeasuringKind k
     tell(layer);
 }
 
-/* Places --------------------------------------------------------------------------------------------------------------
- */
+/* Places ----------------------------------------------------------------------------------------------------------- */
 
 static double grid_of(TinkerMeasureLayer *layer)
 {
@@ -134,8 +133,7 @@ static void on_motion(GtkEventControllerMotion *controller, double x, double y, 
     tell(layer);
 }
 
-/* Keys ----------------------------------------------------------------------------------------------------------------
- */
+/* Keys ------------------------------------------------------------------------------------------------------------- */
 
 static gboolean go_to_point(TinkerMeasureLayer *layer, int way)
 {
@@ -193,8 +191,7 @@ static gboolean on_key(GtkEventControllerKey *controller, guint key, guint code,
     }
 }
 
-/* Drawing -------------------------------------------------------------------------------------------------------------
- */
+/* Drawing ---------------------------------------------------------------------------------------------------------- */
 
 /* A text on a ground of its own about a place, all of it on the canvas. */
 static void draw_text(TinkerMeasureLayer *layer, cairo_t *cairo, PangoLayout *layout, const double at[2],
@@ -297,8 +294,7 @@ static void tinker_measure_layer_snapshot(GtkWidget *widget, GtkSnapshot *snapsh
     cairo_destroy(cairo);
 }
 
-/* The widget ----------------------------------------------------------------------------------------------------------
- */
+/* The widget ------------------------------------------------------------------------------------------------------- */
 
 static void on_edited(TinkerMeasureLayer *layer)
 {

@@ -31,8 +31,7 @@ struct _TinkerModesPage {
 
 G_DEFINE_FINAL_TYPE(TinkerModesPage, tinker_modes_page, GTK_TYPE_WIDGET)
 
-/* The swing -----------------------------------------------------------------------------------------------------------
- */
+/* The swing -------------------------------------------------------------------------------------------------------- */
 
 static void stop_swing(TinkerModesPage *page)
 {
@@ -82,8 +81,7 @@ static void swing(TinkerModesPage *page, guint number)
     if (animates) page->tick = gtk_widget_add_tick_callback(GTK_WIDGET(page), on_tick, NULL, NULL);
 }
 
-/* The list ------------------------------------------------------------------------------------------------------------
- */
+/* The list --------------------------------------------------------------------------------------------------------- */
 
 static void on_row_selected(TinkerModesPage *page, GtkListBoxRow *row)
 {
@@ -196,8 +194,7 @@ static void on_result(TinkerModesPage *page)
     show_drives(page, result);
 }
 
-/* Life ----------------------------------------------------------------------------------------------------------------
- */
+/* Life ------------------------------------------------------------------------------------------------------------- */
 
 static void tinker_modes_page_map(GtkWidget *widget)
 {

@@ -70,8 +70,7 @@ static guint rank_of(const char *category)
     return rank;
 }
 
-/* Placing -------------------------------------------------------------------------------------------------------------
- */
+/* Placing ---------------------------------------------------------------------------------------------------------- */
 
 static void on_clicked(Item *item)
 {
@@ -114,8 +113,7 @@ static void on_drag_cancel(GtkGesture *gesture, GdkEventSequence *sequence, Item
     tinker_canvas_place_cancel(item->palette->canvas);
 }
 
-/* The list ------------------------------------------------------------------------------------------------------------
- */
+/* The list --------------------------------------------------------------------------------------------------------- */
 
 static void draw_icon(GtkDrawingArea *area, cairo_t *cairo, int width, int height, gpointer data)
 {
@@ -203,8 +201,7 @@ static GPtrArray *usable_types(const GPtrArray *libraries)
     return types;
 }
 
-/* Searching ----------------------------------------------------------------------------------------------------------
- */
+/* Searching -------------------------------------------------------------------------------------------------------- */
 
 /* A heading is shown where a block below it is. */
 static void on_searched(TinkerPalette *palette)

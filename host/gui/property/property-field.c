@@ -27,8 +27,7 @@ struct _TinkerPropertyField {
 
 G_DEFINE_FINAL_TYPE(TinkerPropertyField, tinker_property_field, GTK_TYPE_WIDGET)
 
-/* What is wrong -------------------------------------------------------------------------------------------------------
- */
+/* What is wrong ---------------------------------------------------------------------------------------------------- */
 
 static void describe(TinkerPropertyField *field, const char *problem)
 {
@@ -56,8 +55,7 @@ static void set_problem(TinkerPropertyField *field, const char *problem)
     describe(field, problem);
 }
 
-/* Setting -------------------------------------------------------------------------------------------------------------
- */
+/* Setting ---------------------------------------------------------------------------------------------------------- */
 
 static gboolean has_focus(TinkerPropertyField *field)
 {
@@ -172,8 +170,7 @@ static void on_detach(TinkerPropertyField *field)
     if (!tinker_property_row_set(field->document, field->row, "", &error)) set_problem(field, error->message);
 }
 
-/* Showing -------------------------------------------------------------------------------------------------------------
- */
+/* Showing ---------------------------------------------------------------------------------------------------------- */
 
 static void show_choices(TinkerPropertyField *field)
 {
@@ -299,8 +296,7 @@ void tinker_property_field_discard(TinkerPropertyField *field)
     if (field->dirty) revert(field);
 }
 
-/* Making --------------------------------------------------------------------------------------------------------------
- */
+/* Making ----------------------------------------------------------------------------------------------------------- */
 
 static GtkWidget *make_entry(TinkerPropertyField *field)
 {

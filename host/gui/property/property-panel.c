@@ -44,8 +44,7 @@ G_DEFINE_FINAL_TYPE(TinkerPropertyPanel, tinker_property_panel, GTK_TYPE_WIDGET)
 
 enum { PROP_TRIMS = 1 };
 
-/* Groups --------------------------------------------------------------------------------------------------------------
- */
+/* Groups ----------------------------------------------------------------------------------------------------------- */
 
 static void on_expanded(GtkExpander *expander, GParamSpec *spec, TinkerPropertyPanel *panel)
 {
@@ -107,8 +106,7 @@ static void remove_others(TinkerPropertyPanel *panel)
     }
 }
 
-/* Refreshing ----------------------------------------------------------------------------------------------------------
- */
+/* Refreshing ------------------------------------------------------------------------------------------------------- */
 
 static void show_rows(TinkerPropertyPanel *panel, GPtrArray *rows)
 {
@@ -256,8 +254,7 @@ void tinker_property_panel_focus_law_of_impact(TinkerPropertyPanel *panel)
     tinker_property_panel_focus(panel);
 }
 
-/* The widget ----------------------------------------------------------------------------------------------------------
- */
+/* The widget ------------------------------------------------------------------------------------------------------- */
 
 static GtkWidget *make_header(TinkerPropertyPanel *panel)
 {

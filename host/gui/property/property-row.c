@@ -74,8 +74,7 @@ const char *property_group_of(const PropertyBuilder *builder, const TinkerProper
     return builder->group != NULL ? builder->group : tinker_translate(type->group);
 }
 
-/* Setting -------------------------------------------------------------------------------------------------------------
- */
+/* Setting ---------------------------------------------------------------------------------------------------------- */
 
 gboolean property_edit_all(TinkerDocument *document, const TinkerPropertyRow *row, PropertyEdit edit,
                            gconstpointer value, GError **error)

@@ -50,8 +50,7 @@ static gboolean set_end(TinkerDocument *document, const TinkerPropertyRow *row, 
     return property_edit_all(document, &named, edit_end, &end, error);
 }
 
-/* Where on its block ------------------------------------------------------------------------------------------------
- */
+/* Where on its block ----------------------------------------------------------------------------------------------- */
 
 static const TinkerDimension length = {0, 1, 0, 0};
 

@@ -54,8 +54,7 @@ static const HeadMember texts[] = {
 
 static const char *const contacts_ids[] = {"events", "impulse", NULL};
 
-/* Setting -------------------------------------------------------------------------------------------------------------
- */
+/* Setting ---------------------------------------------------------------------------------------------------------- */
 
 /* One step that makes the head what the copy has become. */
 static gboolean take_head(TinkerDocument *document, const char *title, const TinkerSceneHead *head, const char *part,
@@ -153,8 +152,7 @@ static gboolean choose_law(TinkerDocument *document, const TinkerPropertyRow *ro
     return take_contacts(document, row->title, run->contacts, tinker_impact_law_names[choice], error);
 }
 
-/* Methods -------------------------------------------------------------------------------------------------------------
- */
+/* Methods ---------------------------------------------------------------------------------------------------------- */
 
 /* Ids of the methods there are: the automatic choice, those linked in, those of plugins, and at the end the one that
  * the scene has where nobody provides it. (transfer full) */
@@ -182,8 +180,7 @@ static char *method_title(const char *id)
     return g_strdup(method != NULL ? tinker_translate(method->title) : id);
 }
 
-/* Rows ----------------------------------------------------------------------------------------------------------------
- */
+/* Rows ------------------------------------------------------------------------------------------------------------- */
 
 static TinkerPropertyRow *add_choice(PropertyBuilder *builder, const char *group, const char *title,
                                      const char *description, const char *const *choices, int chosen)

@@ -16,8 +16,7 @@ static TinkerWaveform *common_waveform(TinkerScene *scene, const TinkerBlockId *
     return first;
 }
 
-/* Reading -------------------------------------------------------------------------------------------------------------
- */
+/* Reading ---------------------------------------------------------------------------------------------------------- */
 
 static const TinkerPropertyType *type_of(TinkerScene *scene, const TinkerPropertyRow *row)
 {
@@ -68,8 +67,7 @@ static gboolean read_table(TinkerDocument *document, const TinkerPropertyRow *ro
     return waveform != NULL ? property_set_waveform(document, row, waveform, error) : fail(error, cause);
 }
 
-/* Files ---------------------------------------------------------------------------------------------------------------
- */
+/* Files ------------------------------------------------------------------------------------------------------------ */
 
 gboolean tinker_property_row_check_file(TinkerDocument *document, const TinkerPropertyRow *row, const char *path,
                                         char **copy, GError **error)
@@ -108,8 +106,7 @@ gboolean tinker_property_row_choose_file(TinkerDocument *document, const TinkerP
     return FALSE;
 }
 
-/* How it is read ------------------------------------------------------------------------------------------------------
- */
+/* How it is read --------------------------------------------------------------------------------------------------- */
 
 /* As the row's table is read now. FALSE with an error where it is gone meanwhile. */
 static gboolean find_source(TinkerDocument *document, const TinkerPropertyRow *row, TinkerTableSource *source,
@@ -164,8 +161,7 @@ static gboolean choose_kind(TinkerDocument *document, const TinkerPropertyRow *r
     return read_again(document, row, &source, former, error);
 }
 
-/* Rows ----------------------------------------------------------------------------------------------------------------
- */
+/* Rows ------------------------------------------------------------------------------------------------------------- */
 
 static TinkerPropertyRow *add_row(PropertyBuilder *builder, const TinkerPropertyType *type, int32_t property,
                                   TinkerRowKind kind, const char *title, const char *description)

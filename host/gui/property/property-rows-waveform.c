@@ -37,8 +37,7 @@ gboolean property_plays_no_part(const TinkerScene *scene, TinkerBlockId block, i
     return used;
 }
 
-/* Setting -------------------------------------------------------------------------------------------------------------
- */
+/* Setting ---------------------------------------------------------------------------------------------------------- */
 
 static gboolean choose_type(TinkerDocument *document, const TinkerPropertyRow *row, int choice, GError **error)
 {
@@ -60,8 +59,7 @@ static gboolean set_expression(TinkerDocument *document, const TinkerPropertyRow
     return property_set_waveform(document, row, waveform, error);
 }
 
-/* Rows ----------------------------------------------------------------------------------------------------------------
- */
+/* Rows ------------------------------------------------------------------------------------------------------------- */
 
 /* A table that there is can be kept, and a file be chosen for another one. */
 static TinkerPropertyRow *add_type(PropertyBuilder *builder, const TinkerPropertyType *type, int32_t property,

@@ -17,8 +17,7 @@ static const TinkerPropertyType *type_of(const TinkerScene *scene, const TinkerP
     return &tinker_scene_block_class(scene, block)->properties[row->property];
 }
 
-/* The name ------------------------------------------------------------------------------------------------------------
- */
+/* The name --------------------------------------------------------------------------------------------------------- */
 
 static gboolean rename_block(TinkerHistory *history, const TinkerPropertyRow *row, TinkerBlockId block,
                              gconstpointer name, GError **error)
@@ -51,8 +50,7 @@ void property_rows_add_name(PropertyBuilder *builder)
         row, g_strdup_printf(_("%s (not installed)"), tinker_scene_block_type(builder->scene, builder->blocks[0])));
 }
 
-/* Values --------------------------------------------------------------------------------------------------------------
- */
+/* Values ----------------------------------------------------------------------------------------------------------- */
 
 static double offset_of(const TinkerScene *scene, const TinkerBlockClass *block_class, TinkerBlockId block,
                         int32_t component)
@@ -93,8 +91,7 @@ static char *number_text(const PropertyBuilder *builder, const TinkerPropertyTyp
     return tinker_number_write(value, type->dimension, unit, builder->system, builder->trims);
 }
 
-/* Setting -------------------------------------------------------------------------------------------------------------
- */
+/* Setting ---------------------------------------------------------------------------------------------------------- */
 
 static gboolean store(TinkerHistory *history, TinkerScene *scene, TinkerBlockId block, int32_t property,
                       const double *values, GError **error)
@@ -256,8 +253,7 @@ static gboolean set_text(TinkerDocument *document, const TinkerPropertyRow *row,
     return property_edit_all(document, row, edit_text, text, error);
 }
 
-/* Rows ----------------------------------------------------------------------------------------------------------------
- */
+/* Rows ------------------------------------------------------------------------------------------------------------- */
 
 /* (transfer full) */
 static char *default_text(const PropertyBuilder *builder, int32_t property, int32_t component, const char *unit)

@@ -43,8 +43,7 @@ static void take(const Request *request, const char *path)
         refuse(request, error->message);
 }
 
-/* Copying -------------------------------------------------------------------------------------------------------------
- */
+/* Copying ---------------------------------------------------------------------------------------------------------- */
 
 static void on_copy(AdwMessageDialog *dialog, const char *answer, const Request *request)
 {
@@ -72,8 +71,7 @@ static void ask_to_copy(const Request *request, const char *path, const char *na
     gtk_window_present(GTK_WINDOW(dialog));
 }
 
-/* The file ------------------------------------------------------------------------------------------------------------
- */
+/* The file --------------------------------------------------------------------------------------------------------- */
 
 static void on_path(const Request *request, const char *path)
 {
@@ -122,8 +120,7 @@ static void ask_file(GtkWindow *window, TinkerDocument *document, TinkerProperty
     gtk_native_dialog_show(GTK_NATIVE_DIALOG(dialog));
 }
 
-/* Scenes without a folder ---------------------------------------------------------------------------------------------
- */
+/* Scenes without a folder ------------------------------------------------------------------------------------------ */
 
 static void on_save(AdwMessageDialog *dialog, const char *answer, GtkWidget *window)
 {

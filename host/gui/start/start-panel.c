@@ -229,8 +229,7 @@ static void tinker_start_panel_map(GtkWidget *widget)
     if (panel->outdated) refresh_after(panel, 0);
 }
 
-/* The widget ----------------------------------------------------------------------------------------------------------
- */
+/* The widget ------------------------------------------------------------------------------------------------------- */
 
 static void tinker_start_panel_init(TinkerStartPanel *panel)
 {

@@ -110,8 +110,7 @@ GtkWidget *tinker_start_wrapping_label(const char *text)
     return label;
 }
 
-/* The widget ----------------------------------------------------------------------------------------------------------
- */
+/* The widget ------------------------------------------------------------------------------------------------------- */
 
 TinkerStartRow *tinker_start_row_new(const char *label)
 {

@@ -17,8 +17,7 @@ typedef struct {
     int table_rows;
 } Maker;
 
-/* Lines ---------------------------------------------------------------------------------------------------------------
- */
+/* Lines ------------------------------------------------------------------------------------------------------------ */
 
 static void replace_all(GString *text, const char *pattern, const char *with)
 {
@@ -63,8 +62,7 @@ static char *markup_of(const char *text)
     return is_whole(markup->str) ? g_strdup(markup->str) : g_markup_escape_text(text, -1);
 }
 
-/* Widgets -------------------------------------------------------------------------------------------------------------
- */
+/* Widgets ---------------------------------------------------------------------------------------------------------- */
 
 static GtkWidget *label_new(const Maker *maker, const char *text, const char *css_class)
 {
@@ -191,8 +189,7 @@ static gboolean add_picture(Maker *maker, const char *line)
     return TRUE;
 }
 
-/* Text ----------------------------------------------------------------------------------------------------------------
- */
+/* Text ------------------------------------------------------------------------------------------------------------- */
 
 static void add_words(Maker *maker, const char *line)
 {

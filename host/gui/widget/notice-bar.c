@@ -44,8 +44,7 @@ void tinker_notice_free(TinkerNotice *notice)
     g_free(notice);
 }
 
-/* The list ------------------------------------------------------------------------------------------------------------
- */
+/* The list --------------------------------------------------------------------------------------------------------- */
 
 static gboolean same_text(const void *left, const void *right)
 {
@@ -94,8 +93,7 @@ static void list_all(TinkerNoticeBar *bar)
     g_ptr_array_sort(bar->listed, by_severity);
 }
 
-/* Showing -------------------------------------------------------------------------------------------------------------
- */
+/* Showing ---------------------------------------------------------------------------------------------------------- */
 
 /* The text, as much of it as there is room for, and its tip. */
 static void fill_text(TinkerNoticeBar *bar, const TinkerNotice *notice)
@@ -163,8 +161,7 @@ void tinker_notice_bar_set_room(TinkerNoticeBar *bar, int height)
     bar->is_low = is_low;
 }
 
-/* Buttons -------------------------------------------------------------------------------------------------------------
- */
+/* Buttons ---------------------------------------------------------------------------------------------------------- */
 
 static void on_next(TinkerNoticeBar *bar)
 {
@@ -199,8 +196,7 @@ static void on_response(TinkerNoticeBar *bar, int response)
     g_signal_emit(bar, done_signal, 0);
 }
 
-/* The widget ----------------------------------------------------------------------------------------------------------
- */
+/* The widget ------------------------------------------------------------------------------------------------------- */
 
 static void tinker_notice_bar_dispose(GObject *object)
 {

@@ -72,8 +72,7 @@ static double place_of(const TinkerEventMarks *marks, double time)
     return trough.x + handle / 2 + share * (trough.width - handle);
 }
 
-/* Texts ---------------------------------------------------------------------------------------------------------------
- */
+/* Texts ------------------------------------------------------------------------------------------------------------ */
 
 static void add_line(GString *text, const TinkerRunEvent *event)
 {
@@ -162,8 +161,7 @@ static void add_click(TinkerEventMarks *marks)
     gtk_widget_add_controller(marks->line, GTK_EVENT_CONTROLLER(click));
 }
 
-/* Drawing -------------------------------------------------------------------------------------------------------------
- */
+/* Drawing ---------------------------------------------------------------------------------------------------------- */
 
 /* An event sticks out of the line on either side; a maximum has a tip above it, a minimum one below. */
 static void add_mark(cairo_t *cairo, int list, double x, double top, double bottom)
@@ -207,8 +205,7 @@ static void draw(GtkDrawingArea *area, cairo_t *cairo, int width, int height, gp
     }
 }
 
-/* What happens --------------------------------------------------------------------------------------------------------
- */
+/* What happens ----------------------------------------------------------------------------------------------------- */
 
 static void tell_marked(TinkerEventMarks *marks)
 {

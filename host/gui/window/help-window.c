@@ -21,8 +21,7 @@ struct _TinkerHelpWindow {
 
 G_DEFINE_FINAL_TYPE(TinkerHelpWindow, tinker_help_window, ADW_TYPE_WINDOW)
 
-/* Pages ---------------------------------------------------------------------------------------------------------------
- */
+/* Pages ------------------------------------------------------------------------------------------------------------ */
 
 static GtkWidget *find_named(GtkWidget *in, const char *name)
 {
@@ -114,8 +113,7 @@ static void on_shortcuts(TinkerHelpWindow *help)
     if (window != NULL) gtk_widget_activate_action(GTK_WIDGET(window), "win.show-help-overlay", NULL);
 }
 
-/* The window ----------------------------------------------------------------------------------------------------------
- */
+/* The window ------------------------------------------------------------------------------------------------------- */
 
 static GtkWidget *add_button(TinkerHelpWindow *help, GtkWidget *bar, const char *icon, const char *label,
                              void (*clicked)(TinkerHelpWindow *help))

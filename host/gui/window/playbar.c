@@ -86,8 +86,7 @@ static void on_line_moved(TinkerPlaybar *playbar)
     on_moved(playbar);
 }
 
-/* The time ------------------------------------------------------------------------------------------------------------
- */
+/* The time --------------------------------------------------------------------------------------------------------- */
 
 static void set_wrong(TinkerPlaybar *playbar, const char *problem)
 {
@@ -183,8 +182,7 @@ void tinker_playbar_update(TinkerPlaybar *playbar)
     on_moved(playbar);
 }
 
-/* The widget ----------------------------------------------------------------------------------------------------------
- */
+/* The widget ------------------------------------------------------------------------------------------------------- */
 
 static GtkWidget *add_button(GtkWidget *box, const char *icon, const char *label, const char *action)
 {

@@ -69,8 +69,7 @@ static void tinker_scene_card_map(GtkWidget *widget)
     tinker_plan_task_demand(TINKER_SCENE_CARD(widget)->plan);
 }
 
-/* Life ----------------------------------------------------------------------------------------------------------------
- */
+/* Life ------------------------------------------------------------------------------------------------------------- */
 
 static GtkWidget *add_label(GtkWidget *box, const char *css_class)
 {

@@ -13,8 +13,7 @@
 #define PAGE    "accuracy"
 #define REFRESH 200 /* ms: how often the line is brought up to date while something happens */
 
-/* Notices -------------------------------------------------------------------------------------------------------------
- */
+/* Notices ---------------------------------------------------------------------------------------------------------- */
 
 static void choose_automatically(void *data)
 {
@@ -98,8 +97,7 @@ static void show_run_notices(TinkerWindow *window)
     tinker_notice_bar_set(window->notices, "run", notices);
 }
 
-/* The line ------------------------------------------------------------------------------------------------------------
- */
+/* The line --------------------------------------------------------------------------------------------------------- */
 
 static gboolean on_refresh(void *data);
 

@@ -12,8 +12,7 @@
 
 typedef void (*Command)(TinkerWindow *window);
 
-/* Running -------------------------------------------------------------------------------------------------------------
- */
+/* Running ---------------------------------------------------------------------------------------------------------- */
 
 /* Says why the scene cannot run, and selects the block that is to blame. */
 static void tell_refusal(TinkerWindow *window, TinkerBlockId culprit, const GError *error)
@@ -67,8 +66,7 @@ static void reset(TinkerWindow *window)
     tinker_player_reset(window->player);
 }
 
-/* Editing -------------------------------------------------------------------------------------------------------------
- */
+/* Editing ---------------------------------------------------------------------------------------------------------- */
 
 static void undo(TinkerWindow *window)
 {
@@ -167,8 +165,7 @@ static void select_all(TinkerWindow *window)
     tinker_document_select_all_of(window->document, blocks, count);
 }
 
-/* Looking -------------------------------------------------------------------------------------------------------------
- */
+/* Looking ---------------------------------------------------------------------------------------------------------- */
 
 static void zoom_in(TinkerWindow *window)
 {
@@ -219,8 +216,7 @@ static void show_help(TinkerWindow *window)
     tinker_help_show(GTK_WINDOW(window), "README.md");
 }
 
-/* Files ---------------------------------------------------------------------------------------------------------------
- */
+/* Files ------------------------------------------------------------------------------------------------------------ */
 
 static void save(TinkerWindow *window)
 {
@@ -232,8 +228,7 @@ static void save_as(TinkerWindow *window)
     window_save(window, TRUE);
 }
 
-/* The table -----------------------------------------------------------------------------------------------------------
- */
+/* The table -------------------------------------------------------------------------------------------------------- */
 
 /* Keys that mean something to an entry, too, are caught behind it; see tinker_window_set_accels. */
 static const struct {

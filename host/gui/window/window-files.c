@@ -60,8 +60,7 @@ void window_note_recent(const char *path)
     if (uri != NULL) gtk_recent_manager_add_item(gtk_recent_manager_get_default(), uri);
 }
 
-/* Saving --------------------------------------------------------------------------------------------------------------
- */
+/* Saving ----------------------------------------------------------------------------------------------------------- */
 
 static void ask_name(TinkerWindow *window, WindowThen then, const char *subject);
 
@@ -208,8 +207,7 @@ void window_save(TinkerWindow *window, gboolean under_another_name)
     save_then(window, under_another_name, NULL, NULL);
 }
 
-/* The question --------------------------------------------------------------------------------------------------------
- */
+/* The question ----------------------------------------------------------------------------------------------------- */
 
 static void on_answer(AdwMessageDialog *dialog, const char *answer, const Question *question)
 {

@@ -36,8 +36,7 @@ static char *first_file(const char *path)
     return tinker_film_is_joined(path) ? g_strdup(path) : tinker_film_pictures_name(path, 1);
 }
 
-/* The bar -------------------------------------------------------------------------------------------------------------
- */
+/* The bar ---------------------------------------------------------------------------------------------------------- */
 
 static void show_progress(TinkerWindow *window)
 {
@@ -123,8 +122,7 @@ void window_add_film(TinkerWindow *window)
     g_signal_connect_object(window->film, "progress", G_CALLBACK(show_progress), window, G_CONNECT_SWAPPED);
 }
 
-/* The file ------------------------------------------------------------------------------------------------------------
- */
+/* The file --------------------------------------------------------------------------------------------------------- */
 
 static void start(const Wish *wish)
 {

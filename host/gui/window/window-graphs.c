@@ -19,8 +19,7 @@ static gboolean has_graph(TinkerWindow *window, GVariant *number)
     return g_variant_get_int32(number) >= 0 && g_variant_get_int32(number) < count;
 }
 
-/* Commands ------------------------------------------------------------------------------------------------------------
- */
+/* Commands --------------------------------------------------------------------------------------------------------- */
 
 /* Adds a graph of the selected block; the parameter is "QUANTITY" or "QUANTITY/AGAINST". */
 static void add_graph(GSimpleAction *action, GVariant *parameter, gpointer data)
@@ -91,8 +90,7 @@ void window_kept_runs(TinkerWindow *window)
     tinker_kept_dialog_open(GTK_WINDOW(window), window->document, tinker_player_kept(window->player));
 }
 
-/* The menu ------------------------------------------------------------------------------------------------------------
- */
+/* The menu --------------------------------------------------------------------------------------------------------- */
 
 void window_append_graph_menu(TinkerWindow *window, GMenu *menu)
 {
@@ -106,8 +104,7 @@ void window_append_graph_menu(TinkerWindow *window, GMenu *menu)
     g_menu_append_section(menu, NULL, G_MENU_MODEL(section));
 }
 
-/* Parts ---------------------------------------------------------------------------------------------------------------
- */
+/* Parts ------------------------------------------------------------------------------------------------------------ */
 
 /* A pane gives its lower part the least height until somebody has set the border: it stays where it was put at first.
  * From then on both parts share what a higher window gives, or a lower one takes. */

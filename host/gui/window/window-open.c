@@ -11,8 +11,7 @@
 #define MOST_RECENT 8
 #define SHORT_TEXT  240 /* characters of findings that do not have to be scrolled */
 
-/* Findings ------------------------------------------------------------------------------------------------------------
- */
+/* Findings --------------------------------------------------------------------------------------------------------- */
 
 static char *text_of_findings(const GPtrArray *findings)
 {
@@ -75,8 +74,7 @@ static void tell_warnings(TinkerWindow *window, const GPtrArray *findings)
     adw_toast_overlay_add_toast(window->toasts, toast);
 }
 
-/* Files ---------------------------------------------------------------------------------------------------------------
- */
+/* Files ------------------------------------------------------------------------------------------------------------ */
 
 /* Opens a file; says what is wrong with it. */
 static void open_path(TinkerWindow *window, const char *path)
@@ -166,8 +164,7 @@ static void on_open_example(GSimpleAction *action, GVariant *path, gpointer wind
     window_ask_first(window, open_example, g_variant_get_string(path, NULL));
 }
 
-/* New -----------------------------------------------------------------------------------------------------------------
- */
+/* New -------------------------------------------------------------------------------------------------------------- */
 
 static void start_new(TinkerWindow *window, const TinkerNewScene *settings)
 {
@@ -195,8 +192,7 @@ void tinker_window_new_scene(TinkerWindow *window)
     window_ask_first(window, ask_settings, NULL);
 }
 
-/* The menu ------------------------------------------------------------------------------------------------------------
- */
+/* The menu --------------------------------------------------------------------------------------------------------- */
 
 /* An underline would be read as a mark of a key. */
 static GMenuItem *item_of(const char *title, const char *action, const char *path)

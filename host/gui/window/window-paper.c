@@ -26,8 +26,7 @@ static void draw_canvas(cairo_t *cairo, double width, double height, gpointer da
     cairo_restore(cairo);
 }
 
-/* Pictures ------------------------------------------------------------------------------------------------------------
- */
+/* Pictures --------------------------------------------------------------------------------------------------------- */
 
 static gboolean write_picture(TinkerWindow *window, const char *path, GError **error)
 {
@@ -59,8 +58,7 @@ void window_save_picture(TinkerWindow *window)
     gtk_native_dialog_show(GTK_NATIVE_DIALOG(dialog));
 }
 
-/* Printing ------------------------------------------------------------------------------------------------------------
- */
+/* Printing --------------------------------------------------------------------------------------------------------- */
 
 static int graph_count(TinkerWindow *window)
 {

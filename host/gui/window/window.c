@@ -19,8 +19,7 @@ G_DEFINE_FINAL_TYPE(TinkerWindow, tinker_window, ADW_TYPE_APPLICATION_WINDOW)
 #define LONGEST_TICK 0.1  /* s: after a hang, playback goes on from where it was */
 #define NARROW       1000 /* px: a window in which blocks are shown as symbols alone */
 
-/* Playing -------------------------------------------------------------------------------------------------------------
- */
+/* Playing ---------------------------------------------------------------------------------------------------------- */
 
 static gboolean on_tick(GtkWidget *widget, GdkFrameClock *clock, gpointer data)
 {
@@ -56,8 +55,7 @@ static void on_rewound(TinkerWindow *window)
     window_toast(window, _("Back at the start, which is what you edit"));
 }
 
-/* The document --------------------------------------------------------------------------------------------------------
- */
+/* The document ----------------------------------------------------------------------------------------------------- */
 
 static void on_file_changed(TinkerWindow *window)
 {
@@ -96,8 +94,7 @@ static void on_menu(GtkWidget *over, double x, double y, TinkerWindow *window)
     tinker_popup_menu(over, G_MENU_MODEL(model), x, y);
 }
 
-/* Life ----------------------------------------------------------------------------------------------------------------
- */
+/* Life ------------------------------------------------------------------------------------------------------------- */
 
 static void on_canvas_faults(TinkerCanvas *canvas, TinkerWindow *window)
 {
