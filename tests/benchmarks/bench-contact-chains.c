@@ -1,5 +1,6 @@
 /* What contacts of bodies that hang together cost: chains of rods that fall onto a floor, masses in a row of springs
  * that slide on one; and the equations of a few contacts by their matrix beside elimination. */
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -73,20 +74,23 @@ typedef struct {
     double *matrix, *b, *x, *column;
 } Equations;
 
-/* Every matrix is another one, as at each evaluation. */
+/* Every matrix is another one than before, by rounding, as at each evaluation: of one and the same the factors are
+ * kept.
+ */
 static double solve_by_matrix(gint64 units, void *data)
 {
     Equations *self = data;
     const double started = benchmark_processor_time();
     for (; units > 0; units--) {
+        const double other = 1 + (double)(units & 1) * DBL_EPSILON;
         for (int j = 0; j < self->count; j++) {
             const TinkerContactEquation *of = &self->equations[j];
             memset(self->column, 0, (gsize)self->contacts->model->coordinates * sizeof(double));
             tinker_contacts_push(self->contacts, of->body, of->force[0], of->force[1], self->column);
             for (int i = 0; i < self->count; i++)
                 self->matrix[i * self->count + j] =
-                    self->equations[i].row[0] * self->column[2 * self->equations[i].body] +
-                    self->equations[i].row[1] * self->column[2 * self->equations[i].body + 1];
+                    other * (self->equations[i].row[0] * self->column[2 * self->equations[i].body] +
+                             self->equations[i].row[1] * self->column[2 * self->equations[i].body + 1]);
         }
         memcpy(self->x, self->b, (gsize)self->count * sizeof(double));
         tinker_dense_solve_factor(self->solve, self->matrix);

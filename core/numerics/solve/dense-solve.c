@@ -89,7 +89,7 @@ static gboolean has_full_rank(TinkerDenseSolve *solve, const double *matrix)
     return tinker_pivoted_solve(n, solve->trial, solve->work, solve->order, solve->dependent) == n;
 }
 
-/* Whether it is the matrix taken last, to the bit: what rests asks for the same again and again. */
+/* Whether its numbers are those of the matrix taken last: what rests asks for the same again and again. */
 static gboolean is_given(const TinkerDenseSolve *solve, const double *matrix)
 {
     const int32_t n = solve->n;

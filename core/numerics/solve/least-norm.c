@@ -76,10 +76,12 @@ static void take(Estimate *estimate, int32_t count, double value, double s, doub
     estimate->value = value;
 }
 
-/* How many columns of the upper triangle of a matrix are not dependent. `room`: 2n. */
+/* How many columns of the upper triangle of a matrix are not dependent; all of what is not a number, which the solution
+ * is not either then. `room`: 2n. */
 static int32_t rank_of(int32_t n, const double *matrix, double dependent, double *room)
 {
     Estimate most = {fabs(matrix[0]), room}, least = {fabs(matrix[0]), room + n};
+    if (isnan(most.value)) return n;
     if (!(most.value > 0)) return 0;
     most.x[0] = least.x[0] = 1;
     for (int32_t rank = 1; rank < n; rank++) {

@@ -131,7 +131,7 @@ static gboolean is_moved(const TinkerContactChange *change, const TinkerContact 
 }
 
 /* What presses, and how it rubs, by the share that the laws gave. */
-static void press_as_given(TinkerContactChange *change)
+static void take_given_share(TinkerContactChange *change)
 {
     const TinkerContacts *contacts = change->contacts;
     for (guint i = 0; i < contacts->closed->len; i++) {
@@ -150,8 +150,9 @@ static TinkerContact *resisting(const TinkerContacts *contacts, guint number)
     return NULL;
 }
 
-/* A friction that holds, and what it may be at most over the normal force: a little short of slipping. */
-static double hold(const TinkerContacts *contacts, const TinkerContact *contact)
+/* What the friction of one that sticks may be at most over the normal force, a little short of slipping; of any other 0.
+ */
+static double friction_ratio(const TinkerContacts *contacts, const TinkerContact *contact)
 {
     if (contact == NULL || contact->mode != TINKER_CONTACT_STICK) return 0;
     return SHORT_OF_SLIPPING * tinker_contact_surface(contacts, contact->body, contact->plate).static_friction;
@@ -160,10 +161,10 @@ static double hold(const TinkerContacts *contacts, const TinkerContact *contact)
 /* Moves the share of one contact, with what resists its rolling, to the nearest at which it presses by no less than
  * `least` (N) and is a little short of slipping: with friction f_i of at most s_i N each, the distance from what there
  * is has no slope in N where N - n = sum s_i (|f_i| - s_i N), over those that are beyond s_i N. */
-static void press(const TinkerContacts *contacts, guint number, double least)
+static void take_nearest_share(const TinkerContacts *contacts, guint number, double least)
 {
     TinkerContact *contact = tinker_contacts_closed(contacts, number), *rolls = resisting(contacts, number);
-    const double slope[2] = {hold(contacts, contact), hold(contacts, rolls)};
+    const double slope[2] = {friction_ratio(contacts, contact), friction_ratio(contacts, rolls)};
     const double rubs[2] = {contact->friction, rolls != NULL ? rolls->friction : 0};
     double normal = contact->normal;
     for (int beyond = 1; beyond < 4; beyond++) { /* which of the two are */
@@ -198,7 +199,8 @@ static gboolean presses_all(TinkerContactChange *change, double least)
 }
 
 /* The square of how far two sets of forces are apart, as the least norm has it. */
-static double apart(const TinkerContactChange *change, const TinkerContact *contact, double normal, double friction)
+static double distance_squared(const TinkerContactChange *change, const TinkerContact *contact, double normal,
+                               double friction)
 {
     const double own = tinker_contacts_resists(change->contacts, contact) ? 0 : normal * normal;
     const double along = contact->mode == TINKER_CONTACT_STICK ? friction * friction : 0;
@@ -207,15 +209,15 @@ static double apart(const TinkerContactChange *change, const TinkerContact *cont
 
 /* Goes on along the way from `before`, which does what the motion asks for, by the shares to the forces worked out,
  * which do so, too: as far as the shares let it, (distance to them / way)^2 times. */
-static void go_on(TinkerContactChange *change, const TinkerContact *before)
+static void extrapolate(TinkerContactChange *change, const TinkerContact *before)
 {
     const TinkerContacts *contacts = change->contacts;
     double asked = 0, way = 0;
     for (guint i = 0; i < contacts->closed->len; i++) {
         const TinkerContact *now = tinker_contacts_closed(contacts, i), *from = &before[i];
         if (!is_moved(change, now)) continue;
-        asked += apart(change, now, now->base_normal - from->normal, now->base_friction - from->friction);
-        way += apart(change, now, now->normal - from->normal, now->friction - from->friction);
+        asked += distance_squared(change, now, now->base_normal - from->normal, now->base_friction - from->friction);
+        way += distance_squared(change, now, now->normal - from->normal, now->friction - from->friction);
     }
     const double times = way > 0 ? CLAMP(asked / way, 1, FARTHEST) : 1;
     for (guint i = 0; i < contacts->closed->len; i++) {
@@ -240,16 +242,17 @@ static gboolean share_within(TinkerContactChange *change)
     double least = 0;
     for (guint i = 0; i < contacts->closed->len; i++)
         if (is_asked(change, &kept[i])) least = fmax(least, kept[i].base_normal);
-    press_as_given(change);
+    take_given_share(change);
     for (int pass = 0; least > 0 && pass < MOST_PASSES; pass++) {
         if (pass % PASSES_EACH == 0) least *= pass == 0 ? LARGEST_LEAST : LESS;
         memcpy(before, contacts->closed->data, bytes);
         for (guint i = 0; i < contacts->closed->len; i++) {
             const TinkerContact *contact = tinker_contacts_closed(contacts, i);
-            if (is_moved(change, contact) && !tinker_contacts_resists(contacts, contact)) press(contacts, i, least);
+            if (is_moved(change, contact) && !tinker_contacts_resists(contacts, contact))
+                take_nearest_share(contacts, i, least);
         }
         if (presses_all(change, least)) return TRUE;
-        go_on(change, before);
+        extrapolate(change, before);
     }
     memcpy(contacts->closed->data, kept, bytes);
     tinker_contacts_take_shares(contacts);

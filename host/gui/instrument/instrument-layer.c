@@ -93,6 +93,12 @@ static void look_again(TinkerInstrumentLayer *layer)
     gtk_widget_queue_allocate(GTK_WIDGET(layer));
 }
 
+/* Whether there is a view of each instrument that the scene has by now: an edit is told to others before. */
+static gboolean has_caught_up(TinkerInstrumentLayer *layer)
+{
+    return layer->views->len == tinker_scene_instruments(tinker_document_scene(layer->document))->len;
+}
+
 /* Whether one keeps clear of blocks and their ways. */
 static gboolean keeps_clear(TinkerInstrumentLayer *layer, TinkerInstrumentView *view)
 {
@@ -123,7 +129,7 @@ static void look_about(TinkerInstrumentLayer *layer)
 static void on_moved(TinkerInstrumentLayer *layer)
 {
     TinkerRunStatus status;
-    if (!layer->awaits_run || !tinker_player_status(layer->player, &status)) return;
+    if (!layer->awaits_run || !has_caught_up(layer) || !tinker_player_status(layer->player, &status)) return;
     if (layer->state == TINKER_PLAYER_PLAYING && !status.finished) return;
     layer->awaits_run = FALSE;
     look_for_blocks(layer);

@@ -4,41 +4,53 @@
 #include <adwaita.h>
 #include <glib/gi18n.h>
 
-#define FEW_LINES      10
-#define LINE           44  /* characters */
-#define SCROLLED       0.5 /* of the window's height: what a long text takes of it at most */
-#define LEAST_SCROLLED 120
+#define FEW_LINES    6   /* that need not be scrolled */
+#define LINE         44  /* characters */
+#define WIDTH        460 /* what scrolls: the width, and ... */
+#define HEIGHT       320 /* ... the most of its height, ... */
+#define LEAST_HEIGHT 120
+#define SHARE        0.5 /* ... which is no more than this of the window's, either */
 
-static gboolean is_long(const char *body)
+/* As lines wrap. */
+static gboolean is_long(const char *text)
 {
-    int lines = 1;
-    for (const char *c = body; *c != '\0'; c++)
-        lines += *c == '\n';
+    glong lines = 0;
+    g_auto(GStrv) parts = g_strsplit(text, "\n", -1);
+    for (char **part = parts; *part != NULL; part++)
+        lines += 1 + g_utf8_strlen(*part, -1) / LINE;
     return lines > FEW_LINES;
 }
 
-/* The dialog does not scroll what it is given as its body, and would be higher than the screen. */
-static GtkWidget *scrolled(GtkWindow *window, const char *body)
+GtkWidget *tinker_message_text(GtkWindow *window, const char *text, const char *name)
 {
-    GtkWidget *label = gtk_label_new(body), *scroller = gtk_scrolled_window_new();
-    const int height = window != NULL ? gtk_widget_get_height(GTK_WIDGET(window)) : 0;
-    gtk_label_set_wrap(GTK_LABEL(label), TRUE);
-    gtk_label_set_width_chars(GTK_LABEL(label), LINE);
+    GtkWidget *label = gtk_label_new(text), *scroller = gtk_scrolled_window_new();
+    const int available = window != NULL ? (int)(SHARE * gtk_widget_get_height(GTK_WIDGET(window))) : HEIGHT;
+    const int most = CLAMP(available, LEAST_HEIGHT, HEIGHT);
     gtk_label_set_xalign(GTK_LABEL(label), 0);
-    gtk_scrolled_window_set_child(GTK_SCROLLED_WINDOW(scroller), label);
+    gtk_label_set_yalign(GTK_LABEL(label), 0);
+    gtk_label_set_wrap(GTK_LABEL(label), TRUE);
+    gtk_label_set_wrap_mode(GTK_LABEL(label), PANGO_WRAP_WORD_CHAR);
+    gtk_label_set_selectable(GTK_LABEL(label), TRUE);
+    gtk_accessible_update_property(GTK_ACCESSIBLE(label), GTK_ACCESSIBLE_PROPERTY_LABEL, name, -1);
     gtk_scrolled_window_set_policy(GTK_SCROLLED_WINDOW(scroller), GTK_POLICY_NEVER, GTK_POLICY_AUTOMATIC);
     gtk_scrolled_window_set_propagate_natural_height(GTK_SCROLLED_WINDOW(scroller), TRUE);
-    gtk_scrolled_window_set_max_content_height(GTK_SCROLLED_WINDOW(scroller),
-                                               MAX((int)(SCROLLED * height), LEAST_SCROLLED));
+    /* What a text that wraps needs is underestimated. */
+    gtk_scrolled_window_set_min_content_height(GTK_SCROLLED_WINDOW(scroller), is_long(text) ? 3 * most / 4 : -1);
+    gtk_scrolled_window_set_max_content_height(GTK_SCROLLED_WINDOW(scroller), most);
+    gtk_scrolled_window_set_child(GTK_SCROLLED_WINDOW(scroller), label);
     gtk_widget_set_focusable(scroller, TRUE); /* arrow keys and Page Down scroll it */
+    gtk_widget_set_size_request(scroller, WIDTH, -1);
+    gtk_widget_add_css_class(scroller, "card");
     return scroller;
 }
 
+/* The dialog does not scroll what it is given as its body, and would be higher than the screen. */
 void tinker_message(GtkWindow *window, const char *heading, const char *body)
 {
     const gboolean scrolls = is_long(body);
     GtkWidget *dialog = adw_message_dialog_new(window, heading, scrolls ? NULL : body);
-    if (scrolls) adw_message_dialog_set_extra_child(ADW_MESSAGE_DIALOG(dialog), scrolled(window, body));
+    if (scrolls)
+        adw_message_dialog_set_extra_child(ADW_MESSAGE_DIALOG(dialog), tinker_message_text(window, body, heading));
     adw_message_dialog_add_response(ADW_MESSAGE_DIALOG(dialog), "close", _("_Close"));
     gtk_window_present(GTK_WINDOW(dialog));
 }

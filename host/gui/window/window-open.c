@@ -4,12 +4,12 @@
 
 #include "gui/document/examples.h"
 #include "gui/document/new-scene.h"
+#include "gui/text/message.h"
 #include "gui/text/translate.h"
 #include "gui/window/new-dialog.h"
 #include "gui/window/window-files.h"
 
 #define MOST_RECENT 8
-#define SHORT_TEXT  240 /* characters of findings that do not have to be scrolled */
 
 /* Findings --------------------------------------------------------------------------------------------------------- */
 
@@ -26,33 +26,11 @@ static char *text_of_findings(const GPtrArray *findings)
     return g_string_free(text, FALSE);
 }
 
-/* A text of many lines that can be scrolled and copied. */
-static GtkWidget *list_of_findings(const char *text)
-{
-    gboolean is_long = strlen(text) > SHORT_TEXT;
-    GtkWidget *label = gtk_label_new(text), *scrolled = gtk_scrolled_window_new();
-    gtk_label_set_xalign(GTK_LABEL(label), 0);
-    gtk_label_set_yalign(GTK_LABEL(label), 0);
-    gtk_label_set_wrap(GTK_LABEL(label), TRUE);
-    gtk_label_set_wrap_mode(GTK_LABEL(label), PANGO_WRAP_WORD_CHAR);
-    gtk_label_set_selectable(GTK_LABEL(label), TRUE);
-    gtk_widget_add_css_class(label, "findings");
-    gtk_accessible_update_property(GTK_ACCESSIBLE(label), GTK_ACCESSIBLE_PROPERTY_LABEL, _("Findings"), -1);
-    gtk_scrolled_window_set_policy(GTK_SCROLLED_WINDOW(scrolled), GTK_POLICY_NEVER, GTK_POLICY_AUTOMATIC);
-    gtk_scrolled_window_set_propagate_natural_height(GTK_SCROLLED_WINDOW(scrolled), TRUE);
-    /* What a text that wraps needs is underestimated. */
-    gtk_scrolled_window_set_min_content_height(GTK_SCROLLED_WINDOW(scrolled), is_long ? 240 : -1);
-    gtk_scrolled_window_set_max_content_height(GTK_SCROLLED_WINDOW(scrolled), 320);
-    gtk_scrolled_window_set_child(GTK_SCROLLED_WINDOW(scrolled), label);
-    gtk_widget_set_size_request(scrolled, 460, -1);
-    gtk_widget_add_css_class(scrolled, "card");
-    return scrolled;
-}
-
 static void show_findings(TinkerWindow *window, const char *heading, const char *body, const char *text)
 {
     GtkWidget *dialog = adw_message_dialog_new(GTK_WINDOW(window), heading, body);
-    adw_message_dialog_set_extra_child(ADW_MESSAGE_DIALOG(dialog), list_of_findings(text));
+    adw_message_dialog_set_extra_child(ADW_MESSAGE_DIALOG(dialog),
+                                       tinker_message_text(GTK_WINDOW(window), text, _("Findings")));
     adw_message_dialog_add_response(ADW_MESSAGE_DIALOG(dialog), "close", _("_Close"));
     adw_message_dialog_set_default_response(ADW_MESSAGE_DIALOG(dialog), "close");
     gtk_window_present(GTK_WINDOW(dialog));
