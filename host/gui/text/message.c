@@ -9,6 +9,7 @@
 #define WIDTH        460 /* what scrolls: the width, and ... */
 #define HEIGHT       320 /* ... the most of its height, ... */
 #define LEAST_HEIGHT 120
+#define MARGIN       12
 #define SHARE        0.5 /* ... which is no more than this of the window's, either */
 
 /* As lines wrap. */
@@ -31,7 +32,11 @@ GtkWidget *tinker_message_text(GtkWindow *window, const char *text, const char *
     gtk_label_set_wrap(GTK_LABEL(label), TRUE);
     gtk_label_set_wrap_mode(GTK_LABEL(label), PANGO_WRAP_WORD_CHAR);
     gtk_label_set_selectable(GTK_LABEL(label), TRUE);
-    gtk_accessible_update_property(GTK_ACCESSIBLE(label), GTK_ACCESSIBLE_PROPERTY_LABEL, name, -1);
+    gtk_widget_set_margin_start(label, MARGIN);
+    gtk_widget_set_margin_end(label, MARGIN);
+    gtk_widget_set_margin_top(label, MARGIN);
+    gtk_widget_set_margin_bottom(label, MARGIN);
+    gtk_accessible_update_property(GTK_ACCESSIBLE(scroller), GTK_ACCESSIBLE_PROPERTY_LABEL, name, -1);
     gtk_scrolled_window_set_policy(GTK_SCROLLED_WINDOW(scroller), GTK_POLICY_NEVER, GTK_POLICY_AUTOMATIC);
     gtk_scrolled_window_set_propagate_natural_height(GTK_SCROLLED_WINDOW(scroller), TRUE);
     /* What a text that wraps needs is underestimated. */
