@@ -150,8 +150,7 @@ static TinkerContact *resisting(const TinkerContacts *contacts, guint number)
     return NULL;
 }
 
-/* What the friction of one that sticks may be at most over the normal force, a little short of slipping; of any other 0.
- */
+/* What the friction of one that sticks may be at most, over the normal force: a little short of slipping. Else 0. */
 static double friction_ratio(const TinkerContacts *contacts, const TinkerContact *contact)
 {
     if (contact == NULL || contact->mode != TINKER_CONTACT_STICK) return 0;
