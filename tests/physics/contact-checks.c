@@ -45,6 +45,17 @@ void contact_assert_count(const PhysicsRun *run, const char *kind, int count)
     physics_assert_near(what, found, count, 0);
 }
 
+const TinkerEvent *contact_event_at(const PhysicsRun *run, const char *kind, double time)
+{
+    const TinkerEvent *nearest = NULL;
+    for (guint i = 0; i < run->summary->events->len; i++) {
+        const TinkerEvent *event = g_ptr_array_index(run->summary->events, i);
+        const double away = fabs(event->time - time);
+        if (is_of(event, kind, NULL) && away < (nearest != NULL ? fabs(nearest->time - time) : 1e-7)) nearest = event;
+    }
+    return nearest;
+}
+
 void contact_assert_state(const PhysicsRun *run, const char *mass, const double state[4], double bound)
 {
     static const char *const names[] = {"x", "y", "vx", "vy"};

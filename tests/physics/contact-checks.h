@@ -29,6 +29,8 @@ PhysicsOptions contact_options(const ContactMethod *method, double duration, con
 /* An event of this kind, of these blocks ("Mass 0, Support 0"; NULL: any), happened at this time. */
 void contact_assert_event(const PhysicsRun *run, const char *kind, const char *blocks, double time, double bound);
 void contact_assert_count(const PhysicsRun *run, const char *kind, int count);
+/* The one of this kind that is nearest to this time, and hardly away from it; NULL for none. (transfer none) */
+const TinkerEvent *contact_event_at(const PhysicsRun *run, const char *kind, double time);
 
 void contact_assert_state(const PhysicsRun *run, const char *mass, const double state[4], double bound);
 

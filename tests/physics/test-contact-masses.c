@@ -132,6 +132,7 @@ static void test_upon(void)
         "}, {'type': 'mass', 'collides': true, 'width': 0.4, 'height': 0.2, 'position': [0, 0.5],"
         " 'velocity': [2, 0]}");
     contact_assert_event(off, "end", "Mass 0, Mass 1", 0.6, 1e-9);
+    g_assert_false(contact_event_at(off, "end", 0.6)->stays);
     contact_assert_event(off, "rest", "Mass 1, Support 0", 0.6 + sqrt(2 * 0.4 / g), 1e-9);
 }
 

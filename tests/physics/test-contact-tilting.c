@@ -167,6 +167,39 @@ static void test_smooth(void)
     }
 }
 
+/* Where a mass without friction is along a top that turns evenly by w, from X0 with the speed v along it. */
+typedef struct {
+    double rate, from, speed;
+} Sliding;
+
+static double slides_to(double t, const void *data)
+{
+    const Sliding *sliding = data;
+    const double w = sliding->rate, falls = G / (2 * w * w);
+    return sliding->from * cosh(w * t) + (sliding->speed / w - falls) * sinh(w * t) + falls * sin(w * t);
+}
+
+static double to_the_end(double t, const void *data)
+{
+    return slides_to(t, data) + 10;
+}
+
+/* A mass leaves the end for good: it has no other place to lie on, and nothing follows. */
+static void test_leaves_the_end(void)
+{
+    const Sliding sliding = {0.1, 1, -10};
+    const double leaves = contact_bisect(0, 2, to_the_end, &sliding);
+    g_autoptr(PhysicsRun) run =
+        physics_run(&(PhysicsOptions){.duration = leaves + 1},
+                    CONTACT_WEIGHT PLANK "{'type': 'mass', 'position': [1, 0.1], 'velocity': [-10.01, 0.1],"
+                                         " 'width': 0, 'height': 0}, " TURN,
+                    0.0, 0.0, "0.1*t");
+    contact_assert_event(run, "end", "Mass 0, Support 0", leaves, 1e-9);
+    const TinkerEvent *last = g_ptr_array_index(run->summary->events, run->summary->events->len - 1);
+    g_assert_true(last == contact_event_at(run, "end", leaves));
+    g_assert_false(last->stays);
+}
+
 /* A disc that rolls, X' + r (w_disc - w) = 0: (m + I / r^2) X'' = m (w' Y + w^2 X - g sin a) + I w' / r. */
 static void roll(double t, const double *y, double *rate, const void *data)
 {
@@ -250,6 +283,7 @@ static void add_tests(void)
     g_test_add_func("/contact/tilting/box-slips", test_box_slips);
     g_test_add_func("/contact/tilting/box-stops", test_box_stops);
     g_test_add_func("/contact/tilting/smooth", test_smooth);
+    g_test_add_func("/contact/tilting/leaves-the-end", test_leaves_the_end);
     g_test_add_func("/contact/tilting/rolling", test_rolling);
     g_test_add_func("/contact/tilting/blow", test_blow);
     g_test_add_func("/contact/tilting/impulses-refuse", test_impulses_refuse);

@@ -146,7 +146,7 @@ void tinker_change_push(const TinkerContactChange *change, const double *impulse
  */
 gboolean tinker_change_accelerations(TinkerContactChange *change, double *pairs, double *scale);
 void tinker_change_add_event(TinkerContactChange *change, const char *kind, const TinkerTouch *of);
-/* Of what was told of pairs of shapes: whether they are closed elsewhere, now that all is settled. */
+/* Of what was told of pairs of shapes: whether the two touch elsewhere from here on, now that all is settled. */
 void tinker_change_note_staying(TinkerContactChange *change);
 /* Stops the run. Answers FALSE. */
 gboolean tinker_change_refuse(TinkerContactChange *change, const char *why, GError **error);

@@ -57,7 +57,6 @@ void tinker_change_add_event(TinkerContactChange *change, const char *kind, cons
     event->turns = tinker_contacts_resists(change->contacts, &of->contact);
     const TinkerTouchingPair *pair = change->contacts->plates[of->contact.plate].pair;
     if (pair == NULL) return;
-    event->stays = g_str_equal(kind, "end"); /* a shape has other places than that which goes over */
     g_array_index(change->told, TinkerToldEvent, change->told->len - 1).event = event;
 }
 

@@ -18,7 +18,7 @@ typedef struct {
     char *kind;           /* "break", "bifurcation", "start impulse", ... */
     char *blocks;         /* names, joined by ", " */
     GArray *alternatives; /* of TinkerAlternative, law by law, where the laws of impact differ; else NULL */
-    gboolean stays;       /* what has come to an end or has lifted off touches the other elsewhere, or may at once */
+    gboolean stays;       /* what has come to an end or has lifted off touches the other elsewhere from there on */
     gboolean turns;       /* it is of friction that resists turning, as rolling resistance is, not of sliding */
 } TinkerEvent;
 
