@@ -135,6 +135,38 @@ static void test_switched_on(void)
     physics_assert_near("velocity", event->behind[1], event->before[1], 1e-12);
 }
 
+/* What slides comes to rest: its place goes on without a jump. At the same time, to the last bit, the force
+ * on another begins to grow, which no column shows; its steps are shorter, so that it comes to that time later. The
+ * event is told all the same. */
+static void test_beside_a_break(void)
+{
+    static const char format[] =
+        "{'type': 'gravity'}, {'type': 'support', 'position': [0, -0.2], 'width': 8}, "
+        "{'type': 'mass', 'name': 'M', 'width': 0, 'height': 0, 'velocity': [1, 0], 'static_friction': 0.5, "
+        "'dynamic_friction': 0.3}, {'type': 'mass', 'name': 'N', 'position': [9, 3]}, {'type': 'motor', "
+        "'ends': ['N'], 'angle': 0, 'waveform': {'expression': '3*sin(200*t) + if(t < %.17g, 0, t - %.17g)'}}";
+    const PhysicsOptions options = {.method = "dop853", .duration = 1, .interval = 0.25, .columns = "M.x,N.x"};
+    g_autofree char *late = g_strdup_printf(format, 2.0, 2.0);
+    g_autoptr(Taken) alone = take(&options, TRUE, late);
+    g_assert_cmpuint(alone->events->len, ==, 1);
+    const double stops = event_of(alone, 0)->time;
+    g_autofree char *tied = g_strdup_printf(format, stops, stops);
+    g_autoptr(Taken) taken = take(&options, TRUE, tied);
+    g_assert_cmpuint(taken->events->len, ==, 1);
+    physics_assert_near("time", event_of(taken, 0)->time, stops, 0);
+}
+
+/* Half waves of a force begin and end at 0, but for the rounding of pi: nothing jumps there. */
+static void test_half_waves(void)
+{
+    static const char blocks[] = "{'type': 'mass', 'name': 'M', 'mass': 2, 'position': [1, 0]}, "
+                                 "{'type': 'motor', 'ends': ['M'], 'angle': 0, 'waveform': "
+                                 "{'expression': 'if(sin(2*pi*t) < 0, 0, sin(2*pi*t))'}}";
+    const PhysicsOptions options = {.method = "dop853", .duration = 3.2, .interval = 0.1, .columns = "M.ax,M.vx,M.x"};
+    g_autoptr(Taken) taken = take(&options, TRUE, blocks);
+    g_assert_cmpuint(taken->events->len, ==, 0);
+}
+
 /* Whoever asks at events gets the samples that all others get, to the last bit. */
 static void test_same_samples(void)
 {
@@ -164,6 +196,8 @@ static void add_tests(void)
     g_test_add_func("/physics/event-values/ball", test_ball);
     g_test_add_func("/physics/event-values/two-balls", test_two_balls);
     g_test_add_func("/physics/event-values/switched-on", test_switched_on);
+    g_test_add_func("/physics/event-values/beside-a-break", test_beside_a_break);
+    g_test_add_func("/physics/event-values/half-waves", test_half_waves);
     g_test_add_func("/physics/event-values/same-samples", test_same_samples);
     g_test_add_func("/physics/event-values/bounded", test_bounded);
 }

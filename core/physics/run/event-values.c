@@ -21,7 +21,7 @@ struct _TinkerEventValues {
     guint count;
     double left; /* instants that may be told until the next sample */
     double told; /* s: the last instant. A break that joints cannot follow is not passed: it stays the next */
-    double *before;
+    double *before, *scales; /* of each column: just before the instant; the largest so far */
 };
 
 TinkerEventValues *tinker_event_values_new(TinkerIslandRuns *runs, TinkerEventValuesTaker take, void *taker)
@@ -30,6 +30,7 @@ TinkerEventValues *tinker_event_values_new(TinkerIslandRuns *runs, TinkerEventVa
     *self = (TinkerEventValues){.runs = runs, .take = take, .taker = taker, .left = RESERVE, .told = 0};
     self->heap = g_new0(guint, runs->runs->len + 1);
     self->before = g_new0(double, runs->columns + 1);
+    self->scales = g_new0(double, runs->columns + 1);
     return self;
 }
 
@@ -38,6 +39,7 @@ void tinker_event_values_free(TinkerEventValues *self)
     if (self == NULL) return;
     g_free(self->heap);
     g_free(self->before);
+    g_free(self->scales);
     g_free(self);
 }
 
@@ -91,40 +93,57 @@ static void order_islands(TinkerEventValues *self)
 
 /* Instants --------------------------------------------------------------------------------------------------------- */
 
-/* By more than rounding makes of the way to the instant. */
-static gboolean differ(const double *before, const double *behind, guint count)
+/* Whether any island stands on an event at this time: others may stand on breaks at the same. */
+static gboolean is_event_at(const TinkerEventValues *self, double t)
 {
-    for (guint i = 0; i < count; i++)
-        if (fabs(before[i] - behind[i]) > TINKER_SMOOTH * fmax(fabs(before[i]), fabs(behind[i]))) return TRUE;
+    for (guint i = 0; i < self->runs->runs->len; i++)
+        if (run_of(self, i)->state.t == t && stands_on_event(run_of(self, i))) return TRUE;
+    return FALSE;
+}
+
+static void note_scales(TinkerEventValues *self, const double *values)
+{
+    for (guint i = 0; i < self->runs->columns; i++)
+        if (isfinite(values[i])) self->scales[i] = fmax(self->scales[i], fabs(values[i]));
+}
+
+/* By more than rounding makes of the way to the instant: of the largest that a column has been, as one that passes
+ * through 0 there is all rounding. */
+static gboolean differ(const TinkerEventValues *self, const double *before, const double *behind)
+{
+    for (guint i = 0; i < self->runs->columns; i++)
+        if (fabs(before[i] - behind[i]) > TINKER_SMOOTH * self->scales[i]) return TRUE;
     return FALSE;
 }
 
 /* Where the columns have no value on one side, such as a force at length 0, the instant is not told. A break that only
  * bends what moves by it shows in no column. */
-static gboolean tell(TinkerEventValues *self, const TinkerIslandRun *run, double sample, GError **error)
+static gboolean tell(TinkerEventValues *self, double t, double sample, GError **error)
 {
     TinkerIslandRuns *runs = self->runs;
-    const double t = run->state.t;
-    const gboolean is_event = stands_on_event(run);
+    const gboolean is_event = is_event_at(self, t);
     self->told = t;
     if (!tinker_island_runs_place(runs, t, sample, FALSE, error)) return FALSE;
     const gboolean known = tinker_island_runs_sample_before(runs, t) == TINKER_OK;
     memcpy(self->before, runs->values, runs->columns * sizeof(double));
     if (!tinker_island_runs_place(runs, t, sample, TRUE, error)) return FALSE;
     if (!known || tinker_island_runs_sample(runs, t) != TINKER_OK) return TRUE;
-    if (!is_event && !differ(self->before, runs->values, runs->columns)) return TRUE;
+    note_scales(self, self->before);
+    note_scales(self, runs->values);
+    if (!is_event && !differ(self, self->before, runs->values)) return TRUE;
     self->left -= 1;
     return self->take(self->taker, t, self->before, runs->values, error);
 }
 
 gboolean tinker_event_values_advance(TinkerEventValues *self, double t, GError **error)
 {
+    note_scales(self, self->runs->values);
     order_islands(self);
     while (self->count > 0 && self->left >= 1) {
         const guint first = self->heap[0];
         const TinkerIslandRun *run = run_of(self, first);
         if (run->state.t <= t && run->state.t > self->told && (stands_on_event(run) || stands_on_break(run))) {
-            if (!tell(self, run, t, error)) return FALSE;
+            if (!tell(self, run->state.t, t, error)) return FALSE;
             order_islands(self);
         } else if (run->state.t < t) {
             if (!tinker_island_runs_step_towards(self->runs, first, t, error)) return FALSE;
