@@ -6,11 +6,18 @@
 
 #include "measure/statistics-private.h"
 
-/* The curve at a time; NAN where it is not known. */
-static double value_at(const TinkerCurveSamples *curve, double time)
+/* What measured values differ by from the curve, and what the curve may be off by at their times where it is unknown
+ * between events (between-events.c): root mean squares. */
+typedef struct {
+    double differs, unknown;
+    gsize count;
+} Fit;
+
+/* The number of the last sample that is not later, but for that at the curve's end; FALSE where it is not known. */
+static gboolean find_piece(const TinkerCurveSamples *curve, double time, gsize *piece)
 {
     gsize low = 0, high = curve->count - 1; /* times[low] <= time <= times[high] */
-    if (!(time >= curve->times[low] && time <= curve->times[high])) return NAN;
+    if (!(time >= curve->times[low] && time <= curve->times[high])) return FALSE;
     while (high - low > 1) {
         const gsize middle = low + (high - low) / 2;
         if (curve->times[middle] <= time)
@@ -18,43 +25,57 @@ static double value_at(const TinkerCurveSamples *curve, double time)
         else
             high = middle;
     }
-    if (!(curve->times[low] < curve->times[high])) return curve->values[high];
+    *piece = low;
+    return TRUE;
+}
+
+static double value_in(const TinkerCurveSamples *curve, gsize i, double time)
+{
+    if (!(curve->times[i] < curve->times[i + 1])) return curve->values[i + 1];
     TinkerCurvePiece pieces[2];
-    const guint count = tinker_curve_pieces(curve, low, pieces);
+    const guint count = tinker_curve_pieces(curve, i, pieces);
     const TinkerCurvePiece *piece = &pieces[count == 2 && time >= pieces[1].start];
     return tinker_curve_piece_value(piece, (time - piece->start) / piece->width);
 }
 
-static double rms_of(const TinkerCurveSamples *curve, const TinkerCurveSamples *measured, double from, double to,
-                     gsize *count)
+static Fit fit_of(const TinkerCurveSamples *curve, const TinkerCurveSamples *measured, double from, double to)
 {
-    double sum = 0;
-    *count = 0;
+    Fit fit = {0, 0, 0};
+    double bends[2];
+    gsize piece;
+    tinker_bends(curve, bends);
+    const double bend = fmax(-bends[0], bends[1]);
     for (gsize i = 0; i < measured->count; i++) {
         const double time = measured->times[i];
-        if (!(time >= from && time <= to)) continue;
-        const double difference = measured->values[i] - value_at(curve, time);
+        if (!(time >= from && time <= to) || !find_piece(curve, time, &piece)) continue;
+        const double difference = measured->values[i] - value_in(curve, piece, time);
         if (!isfinite(difference)) continue;
-        sum += difference * difference;
-        ++*count;
+        fit.differs += difference * difference;
+        fit.count++;
+        if (!tinker_is_between_events(curve, piece)) continue;
+        const double off = 0.5 * bend * (time - curve->times[piece]) * (curve->times[piece + 1] - time);
+        fit.unknown += off * off;
     }
-    return sqrt(sum / (double)*count);
+    fit.differs = sqrt(fit.differs / (double)fit.count);
+    fit.unknown = sqrt(fit.unknown / (double)fit.count);
+    return fit;
 }
 
 gboolean tinker_residuals(const TinkerCurveSamples *curve, const TinkerCurveSamples *measured, double from, double to,
                           double band, TinkerStatistic *rms, gsize *count)
 {
-    gsize coarse_count;
     double largest = 0;
     *count = 0;
     if (curve->count / 2 + 1 < TINKER_CURVE_LEAST) return FALSE;
-    rms->value = rms_of(curve, measured, from, to, count);
+    const Fit fit = fit_of(curve, measured, from, to);
+    rms->value = fit.differs;
+    *count = fit.count;
     if (*count == 0) return FALSE;
     g_autofree double *room = NULL;
     const TinkerCurveSamples coarse = tinker_every_second(curve, &room);
     for (gsize i = 0; i < curve->count; i++)
         largest = fmax(largest, fabs(curve->values[i]));
-    rms->error = band + TINKER_STATISTIC_ROUNDING * largest +
-                 fabs(rms->value - rms_of(&coarse, measured, from, to, &coarse_count));
+    rms->error = band + TINKER_STATISTIC_ROUNDING * largest + fit.unknown +
+                 fabs(rms->value - fit_of(&coarse, measured, from, to).differs);
     return TRUE;
 }

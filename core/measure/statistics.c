@@ -132,26 +132,29 @@ static TinkerStatistics measure(const TinkerCurveSamples *samples, double from, 
     return result;
 }
 
-/* Of both ends of a jump neither is left out: it would lean. */
-static gboolean is_at_jump(const TinkerCurveSamples *samples, gsize i)
+/* What is unknown between events (between-events.c). The root mean square is off by no more than that of what the curve
+ * is, and by the mean of what its square is off by, over the rms itself. */
+static void add_between_events(const TinkerCurveSamples *samples, double from, double to, TinkerStatistics *found)
 {
-    const double *times = samples->times;
-    return (i > 0 && times[i] == times[i - 1]) || (i + 1 < samples->count && times[i] == times[i + 1]);
-}
-
-TinkerCurveSamples tinker_every_second(const TinkerCurveSamples *samples, double **room)
-{
-    const gsize count = samples->count;
-    double *times = *room = g_new(double, 2 * count + 1), *values = times + count;
-    gsize kept = 0, skipped = 1;
-    for (gsize i = 0; i < count; i++) {
-        const gboolean is_kept = skipped == 1 || i + 1 == count || is_at_jump(samples, i);
-        skipped = is_kept ? 0 : skipped + 1;
-        if (!is_kept) continue;
-        times[kept] = samples->times[i];
-        values[kept++] = samples->values[i];
+    const double *times = samples->times, *values = samples->values;
+    double bends[2], area = 0, square = 0, moment = 0, above = 0, below = 0;
+    tinker_bends(samples, bends);
+    const double bend = fmax(-bends[0], bends[1]);
+    for (gsize i = 0; i + 1 < samples->count; i++) {
+        if (times[i + 1] <= from || times[i] >= to || !tinker_is_between_events(samples, i)) continue;
+        const double h = times[i + 1] - times[i];
+        const double largest = fmax(fabs(values[i]), fabs(values[i + 1]));
+        area += bend * h * h * h / 12;
+        moment += largest * bend * h * h * h / 12;
+        square += bend * bend * h * h * h * h * h / 120;
+        above = fmax(above, fmax(values[i], values[i + 1]) - bends[0] * h * h / 8 - found->greatest.value);
+        below = fmax(below, found->least.value - fmin(values[i], values[i + 1]) + bends[1] * h * h / 8);
     }
-    return (TinkerCurveSamples){times, values, kept};
+    found->mean.error += area / (to - from);
+    found->rms.error += fmin(sqrt(square / (to - from)), (2 * moment + square) / (to - from) / fabs(found->rms.value));
+    found->greatest.error += above;
+    found->least.error += below;
+    found->amplitude.error += 0.5 * (above + below);
 }
 
 /* What the samples tell only as they are, and every second of them would not, has no error that is known. */
@@ -187,6 +190,7 @@ gboolean tinker_statistics(const double *times, const double *values, gsize coun
     for (gsize i = 0; i < OF_VALUES; i++)
         all[i]->error +=
             TINKER_STATISTIC_ROUNDING * fmax(fabs(statistics->least.value), fabs(statistics->greatest.value));
+    add_between_events(&fine, from, to, statistics);
     forget_untold(statistics);
     return TRUE;
 }

@@ -90,6 +90,26 @@ static void test_coarse(void)
     g_assert_cmpfloat(rms.error, <, 0.1);
 }
 
+/* A flight between two events that no sample is in: the curve is straight there, off by what it bends by elsewhere. */
+static void test_between_events(void)
+{
+    static const double curve_times[] = {0, 0.2, 0.4, 0.6, 0.8, 1, 1, 1.1, 1.1, 1.3, 1.5, 1.7, 1.9, 2.1};
+    const gsize all = G_N_ELEMENTS(curve_times);
+    double curve_values[G_N_ELEMENTS(curve_times)];
+    for (gsize i = 0; i < all; i++) {
+        const double from = i < 6 ? 0 : 1.1, t = curve_times[i] - from;
+        curve_values[i] = i == 6 ? 0 : 5 * t * (1 - t);
+    }
+    const TinkerCurveSamples curve = {curve_times, curve_values, all};
+    const double when[] = {1.05}, what[] = {5 * 0.05 * 0.05};
+    const TinkerCurveSamples beside = {when, what, 1};
+    TinkerStatistic rms;
+    gsize count;
+    g_assert_true(tinker_residuals(&curve, &beside, 0, 2, 0, &rms, &count));
+    physics_assert_near("rms", rms.value, 0.0125, 1e-12);
+    physics_assert_near("error", rms.error, 0.0125, 1e-12);
+}
+
 static void test_none(void)
 {
     TinkerCurveSamples curve = parabola();
@@ -108,6 +128,7 @@ int main(int argc, char **argv)
     g_test_add_func("/measure/residuals/band", test_band);
     g_test_add_func("/measure/residuals/jump", test_jump);
     g_test_add_func("/measure/residuals/coarse", test_coarse);
+    g_test_add_func("/measure/residuals/between-events", test_between_events);
     g_test_add_func("/measure/residuals/none", test_none);
     return g_test_run();
 }

@@ -180,6 +180,67 @@ static void test_uneven(void)
     g_assert_cmpint(s.no_damping, ==, TINKER_SWINGS_UNEVEN);
 }
 
+/* A ball that falls from 1 m and rises with half the speed each time, sampled in steps, with both sides of each blow;
+ * answers how many samples there are. */
+static gsize fill_to_rest(double step, double to)
+{
+    const double g = 9.81;
+    double start = 0, up = 0, height = 1, end = sqrt(2 / g);
+    gsize count = 0, next = 0;
+    while (start < end && end < to) {
+        for (; step * (double)next < end; next++, count++) {
+            const double t = times[count] = step * (double)next;
+            values[count] = height + up * (t - start) - 0.5 * g * (t - start) * (t - start);
+        }
+        for (int side = 0; side < 2; side++, count++) {
+            times[count] = end;
+            values[count] = 0;
+        }
+        up = 0.5 * (start == 0 ? g * end : up);
+        start = end;
+        height = 0;
+        end = start + 2 * up / g;
+        if (end - start < 1e-12) break;
+    }
+    for (; step * (double)next <= to; next++, count++) {
+        times[count] = step * (double)next;
+        values[count] = 0;
+    }
+    return count;
+}
+
+static void check_covers(const char *what, TinkerStatistic found, double truth, double most)
+{
+    const double off = fabs(found.value - truth);
+    if (!(off <= found.error * (1 + 1e-9)))
+        g_test_fail_printf("%s is off by %.3g, and says %.3g", what, off, found.error);
+    g_assert_cmpfloat(found.error, <=, most * (1 + 1e-9));
+}
+
+/* Between its last blows no sample lies. A flight of the time s has the area g s^3 / 12 under it and g^2 s^5 / 120
+ * under its square; each is half as long as the one before, the first as long as the fall. */
+static void test_comes_to_rest(void)
+{
+    const double g = 9.81, fall = sqrt(2 / g), to = 2;
+    static const double steps[] = {0.01, 0.02, 0.025, 0.04, 0.05, 0.1};
+    for (gsize i = 0; i < G_N_ELEMENTS(steps); i++) {
+        TinkerStatistics s;
+        const double most = g * steps[i] * steps[i] / 2; /* of straight pieces between every second sample */
+        const gsize count = fill_to_rest(steps[i], to);
+        g_assert_true(tinker_statistics(times, values, count, 0, to, 0, &s));
+        check_covers("mean", s.mean, (2 * fall / 3 + g * pow(fall, 3) / 12 / (1 - 0.125)) / to, most);
+        check_covers("rms", s.rms, sqrt((8 * fall / 15 + g * g * pow(fall, 5) / 120 / (1 - 1 / 32.0)) / to), most);
+        check("least", s.least, 0, 1e-12);
+    }
+    /* the seventh flight alone, no sample within it */
+    TinkerStatistics s;
+    const double begins = fall * (3 - 2 * pow(0.5, 6)), lasts = fall * pow(0.5, 6);
+    const gsize count = fill_to_rest(0.05, to);
+    g_assert_true(tinker_statistics(times, values, count, begins, begins + lasts, 0, &s));
+    check_covers("greatest", s.greatest, g * lasts * lasts / 8, g * lasts * lasts / 8);
+    check_covers("mean", s.mean, g * lasts * lasts / 12, g * lasts * lasts / 12);
+}
+
 /* Dry friction takes the same away from each swing: half a swing of 1 s about 0.1, the next about -0.1. */
 static double rubbed(double t)
 {
@@ -210,6 +271,7 @@ int main(int argc, char **argv)
     g_test_add_func("/measure/statistics/no-oscillation", test_no_oscillation);
     g_test_add_func("/measure/statistics/bounces", test_bounces);
     g_test_add_func("/measure/statistics/uneven", test_uneven);
+    g_test_add_func("/measure/statistics/comes-to-rest", test_comes_to_rest);
     g_test_add_func("/measure/statistics/dry-friction", test_dry_friction);
     return g_test_run();
 }
