@@ -8,9 +8,9 @@
 
 /* A number and how far it may be off; NAN where it is not defined. The error is the sum of what the number changes by
  * where every second sample is left out, of the standard error of the mean of periods and decrements, and of what the
- * band about the curve makes of it. Between two events with no sample between them the curve is
- * taken as straight: what it would be off by there if it bent as much as it does between samples elsewhere is added to
- * the errors of mean, rms, extrema and amplitude. */
+ * band about the curve makes of it. Between two events with no sample between them the curve is taken as straight: what
+ * it would be off by there if it bent as much as it does between samples elsewhere is added to the errors of mean, rms,
+ * extrema and amplitude. */
 typedef struct {
     double value, error;
 } TinkerStatistic;

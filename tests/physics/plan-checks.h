@@ -27,7 +27,7 @@ const TinkerIslandPlan *planned_island(const Planned *planned, guint number);
 
 /* How many of the sentences hold a text. */
 int planned_count_holding(const GPtrArray *sentences, const char *text);
-/* One does. */
+/* Fails unless one of the sentences holds a text. */
 void planned_assert_holds(const GPtrArray *sentences, const char *text);
 
 #endif

@@ -125,7 +125,7 @@ static void enter_piece_at(TinkerIslandRuns *self, double t)
     tinker_model_enter_piece(self->model, 0.5 * (t + self->piece_end));
 }
 
-/* Likewise the piece that ends at t or holds it. */
+/* The whole model enters the piece that ends at t or holds it, where none of its islands is the whole. */
 static void enter_piece_before(TinkerIslandRuns *self, double t)
 {
     if (t != self->piece_end) enter_piece_at(self, t * (1 - TINKER_SAME_INSTANT));

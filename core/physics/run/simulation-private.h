@@ -12,9 +12,9 @@ struct _TinkerSimulation {
     TinkerIslandRuns *all;
     TinkerBoxWatch *watch;      /* NULL where no two bodies could overlap, or where it has been told that they do */
     TinkerEstimate *estimate;   /* NULL where none is asked for, or none is needed */
-    TinkerEventsFunc at_events; /* NULL: nobody wants to know */
-    TinkerEventValues *events;  /* NULL likewise, or before the run */
-    void *data;                 /* of it and of the samples */
+    TinkerEventsFunc at_events; /* NULL: nobody wants to know of events */
+    TinkerEventValues *events;  /* NULL where nobody wants to know of events, and before the run */
+    void *data;                 /* handed to at_events and to whoever takes the samples */
     gboolean ended;             /* the run, and its estimate with it */
 };
 

@@ -29,7 +29,7 @@ struct _TinkerRunTask {
     double start;
     GArray *columns; /* of TinkerColumn */
     GArray *bodies;  /* of TinkerBlockId */
-    GArray *wound;   /* likewise: whose lengths are recorded */
+    GArray *wound;   /* of TinkerBlockId: whose lengths are recorded */
     gint cancelled;  /* atomic */
     gboolean estimate;
 
@@ -62,7 +62,7 @@ gsize run_task_row_width(const TinkerRunTask *task);
 void run_task_record_init(const TinkerRunTask *task, RunTaskRecord *record);
 void run_task_record_clear(RunTaskRecord *record);
 
-/* Of a row of the columns at an event, too. */
+/* Doubles in a row of an event: the time, the columns just before it, and those just behind it. */
 gsize run_task_event_width(const TinkerRunTask *task);
 
 /* Of char *. */
