@@ -15,7 +15,9 @@ typedef struct {
 
 typedef struct {
     guint columns;
-    GArray *events, *samples; /* of Event; of double */
+    GArray *events, *samples, *orientations; /* of Event; of double; of double */
+    TinkerBlockId of;                        /* whose orientations */
+    gint64 steps, evaluations;
 } Taken;
 
 static gboolean take_sample(TinkerSimulation *simulation, double time, const double *values, void *data, GError **error)
@@ -23,6 +25,8 @@ static gboolean take_sample(TinkerSimulation *simulation, double time, const dou
     Taken *taken = data;
     g_array_append_val(taken->samples, time);
     g_array_append_vals(taken->samples, values, taken->columns);
+    TinkerBodySample body;
+    if (tinker_simulation_body(simulation, taken->of, &body)) g_array_append_val(taken->orientations, body.orientation);
     return TRUE;
 }
 
@@ -41,6 +45,7 @@ static void taken_free(Taken *taken)
 {
     g_array_unref(taken->events);
     g_array_unref(taken->samples);
+    g_array_unref(taken->orientations);
     g_free(taken);
 }
 G_DEFINE_AUTOPTR_CLEANUP_FUNC(Taken, taken_free)
@@ -54,8 +59,13 @@ static Taken *take(const PhysicsOptions *options, gboolean at_events, const char
     taken->columns = run->columns->len;
     taken->events = g_array_new(FALSE, FALSE, sizeof(Event));
     taken->samples = g_array_new(FALSE, FALSE, sizeof(double));
+    taken->orientations = g_array_new(FALSE, FALSE, sizeof(double));
+    taken->of = tinker_scene_find_block(run->scene, "M");
     tinker_accurate_run(&run->simulation, run->columns, &taker, &run->error);
     g_assert_no_error(run->error);
+    const TinkerSummary *summary = tinker_simulation_summary(run->simulation);
+    taken->steps = summary->steps;
+    taken->evaluations = summary->evaluations;
     return taken;
 }
 
@@ -69,6 +79,12 @@ static const Event *event_of(const Taken *taken, guint number)
     "'static_friction': 0, 'dynamic_friction': 0}, "
 #define POINT "{'type': 'mass', 'width': 0, 'height': 0, 'restitution': 0.5, "
 #define BALL  POINT "'name': 'M', 'position': [0, 1]}"
+/* A mass that is struck by a top which turns to and fro, slides along it, and comes to rest on it. */
+#define ON_A_TURNING_TOP                                                                                               \
+    "{'type': 'gravity'}, {'type': 'support', 'width': 20, 'height': 0.2, 'static_friction': 0.3, "                    \
+    "'dynamic_friction': 0.3}, {'type': 'mass', 'name': 'M', 'position': [1, 0.2], 'width': 0.2, 'height': 0.2, "      \
+    "'velocity': [1, 0], 'static_friction': 0.3, 'dynamic_friction': 0.3}, {'type': 'support-turn', 'ends': "          \
+    "['Support 0'], 'waveform': {'expression': '0.1*sin(4*t)'}}"
 
 /* Dropped from 1 m, with a restitution of 0.5: the speed of impact is sqrt(2 g), and each flight lasts half as long. */
 static void check_bounces(const char *method, const char *blocks)
@@ -167,16 +183,56 @@ static void test_half_waves(void)
     g_assert_cmpuint(taken->events->len, ==, 0);
 }
 
-/* Whoever asks at events gets the samples that all others get, to the last bit. */
-static void test_same_samples(void)
+static void assert_same_angle(double left, double right)
 {
-    const PhysicsOptions options = {.duration = 1.5, .interval = 0.01, .columns = "M.y,M.vy,N.y", .estimate = TRUE};
-    static const char blocks[] = FLOOR BALL ", " POINT "'name': 'N', 'position': [3, 1.3]}";
-    g_autoptr(Taken) with = take(&options, TRUE, blocks), without = take(&options, FALSE, blocks);
-    g_assert_cmpuint(with->events->len, >, 3);
+    g_assert_true(left == right || (isnan(left) && isnan(right)));
+}
+
+/* Whoever asks at events gets the samples that all others get by the same steps, to the last bit. */
+static void check_same(const PhysicsOptions *options, const char *blocks)
+{
+    g_autoptr(Taken) with = take(options, TRUE, blocks), without = take(options, FALSE, blocks);
+    g_assert_cmpuint(with->events->len, >, 0);
     g_assert_cmpuint(without->events->len, ==, 0);
     g_assert_cmpuint(with->samples->len, ==, without->samples->len);
     g_assert_cmpint(memcmp(with->samples->data, without->samples->data, with->samples->len * sizeof(double)), ==, 0);
+    g_assert_cmpuint(with->orientations->len, >, 0);
+    for (guint i = 0; i < with->orientations->len; i++)
+        assert_same_angle(g_array_index(with->orientations, double, i),
+                          g_array_index(without->orientations, double, i));
+    g_assert_cmpint(with->steps, ==, without->steps);
+    g_assert_cmpint(with->evaluations, ==, without->evaluations);
+}
+
+static void test_same_samples(void)
+{
+    static const char two[] = FLOOR BALL ", " POINT "'name': 'N', 'position': [3, 1.3]}";
+    static const char *const methods[] = {"auto", "dop853", "rk4", "verlet", "newmark"};
+    PhysicsOptions options = {.duration = 1.5, .step = 7e-4, .interval = 0.01, .columns = "M.y,M.vy,N.y"};
+    for (gsize i = 0; i < 2 * G_N_ELEMENTS(methods); i++) {
+        options.method = methods[i / 2];
+        options.estimate = i % 2;
+        check_same(&options, two);
+    }
+    options = (PhysicsOptions){.duration = 1, .interval = 0.01, .columns = "M.x,M.vx,M.ax"};
+    check_same(&options, ON_A_TURNING_TOP);
+}
+
+/* The length of a path is added up to each event, too, and so rounds in another way. */
+static void test_path_length(void)
+{
+    static const char *const methods[] = {"dop853", "rk4", "verlet"};
+    for (gsize k = 0; k < G_N_ELEMENTS(methods); k++) {
+        const PhysicsOptions options = {
+            .method = methods[k], .duration = 1.5, .step = 7e-4, .interval = 0.01, .columns = "M.path length"};
+        g_autoptr(Taken) with = take(&options, TRUE, FLOOR BALL), without = take(&options, FALSE, FLOOR BALL);
+        g_assert_cmpuint(with->samples->len, ==, without->samples->len);
+        for (guint i = 0; i < with->samples->len; i++)
+            physics_assert_near("sample", g_array_index(with->samples, double, i),
+                                g_array_index(without->samples, double, i), 1e-12);
+        g_assert_cmpint(with->steps, ==, without->steps);
+        g_assert_cmpint(with->evaluations, ==, without->evaluations);
+    }
 }
 
 /* A force of 10^4 switchings a second is told no more often than it is sampled, and a few hundred times. */
@@ -199,6 +255,7 @@ static void add_tests(void)
     g_test_add_func("/physics/event-values/beside-a-break", test_beside_a_break);
     g_test_add_func("/physics/event-values/half-waves", test_half_waves);
     g_test_add_func("/physics/event-values/same-samples", test_same_samples);
+    g_test_add_func("/physics/event-values/path-length", test_path_length);
     g_test_add_func("/physics/event-values/bounded", test_bounded);
 }
 

@@ -29,8 +29,9 @@ typedef gboolean (*TinkerSampleFunc)(TinkerSimulation *simulation, double time, 
 typedef gboolean (*TinkerEventsFunc)(TinkerSimulation *simulation, double time, const double *before,
                                      const double *behind, void *data, GError **error);
 
-/* Before the run: asks for the columns at events, too. They change no sample and no step, and are no more than there
- * are samples and a few hundred. */
+/* Before the run: asks for the columns at events, too. They change no step and no sample, but for the last digits of
+ * the length of a path, which is added up to each of them, too; and they are no more than there are samples and a few
+ * hundred. */
 void tinker_simulation_ask_at_events(TinkerSimulation *simulation, TinkerEventsFunc at_events);
 
 /* Runs to the end. `columns` (of TinkerColumn, may be NULL) are evaluated at every sample. On failure
