@@ -198,6 +198,9 @@ static void test_leaves_the_end(void)
     const TinkerEvent *last = g_ptr_array_index(run->summary->events, run->summary->events->len - 1);
     g_assert_true(last == contact_event_at(run, "end", leaves));
     g_assert_false(last->stays);
+    TinkerBodySample body;
+    g_assert_true(tinker_simulation_body(run->simulation, tinker_scene_find_block(run->scene, "Mass 0"), &body));
+    physics_assert_near("turned as it left", body.orientation, 0.1 * leaves, 1e-9);
 }
 
 /* A disc that rolls, X' + r (w_disc - w) = 0: (m + I / r^2) X'' = m (w' Y + w^2 X - g sin a) + I w' / r. */

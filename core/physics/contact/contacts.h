@@ -254,6 +254,12 @@ void tinker_contacts_tell_more_overlaps(guint told, GPtrArray *warnings);
 /* How far (m) two shapes overlap, as tinker_outlines_overlap has it. */
 double tinker_contact_pair_overlap(TinkerContacts *contacts, TinkerTouchingPair *pair);
 
+/* How it is turned (rad) at the time of the model. */
+static inline double tinker_plate_angle(const TinkerPlate *plate)
+{
+    return plate->orientation + (plate->turned != NULL ? plate->turned->angle : 0);
+}
+
 static inline gboolean tinker_contacts_is_gap(const TinkerContacts *contacts, const TinkerContact *contact)
 {
     return contact->plate >= contacts->plate_count;

@@ -58,7 +58,7 @@ static void turn_bodies(TinkerContactChange *change)
             continue;
         const gboolean pushed = at->struck || at->contact.mode != TINKER_CONTACT_OPEN;
         if (pushed && at->contact.normal >= hardest[at->contact.body])
-            change->run->orientation[at->contact.body] = tinker_touch_plate(change, i)->orientation;
+            change->run->orientation[at->contact.body] = tinker_plate_angle(tinker_touch_plate(change, i));
     }
 }
 

@@ -113,7 +113,7 @@ static void turn_along(TinkerContactRun *self, int32_t body, double t)
         const TinkerTouchingPair *pair = contacts->plates[contact->plate].pair;
         if (contact->body != body || pair == NULL || pair->turned == NULL) continue;
         if (tinker_model_set_time(self->model, t) == TINKER_OK)
-            self->orientation[body] = pair->angle[1] + pair->turned->angle;
+            self->orientation[body] = tinker_plate_angle(&contacts->plates[contact->plate]);
     }
 }
 
