@@ -1,6 +1,7 @@
 /* Places are kept block by block, with one list of times for all. */
 #include "scene/frame/paths.h"
 #include "scene/frame/flagged.h"
+#include "units/waveform/times.h"
 
 #include <math.h>
 
@@ -50,26 +51,12 @@ void tinker_paths_note(TinkerPaths *paths, double t, const double *places)
         g_array_append_vals((GArray *)g_ptr_array_index(paths->places, i), &places[2 * i], 2);
 }
 
-/* How many of the times are not later than t. */
-static guint count_until(const GArray *times, double t)
-{
-    guint least = 0, beyond = times->len;
-    while (least < beyond) {
-        const guint middle = least + (beyond - least) / 2;
-        if (g_array_index(times, double, middle) <= t)
-            least = middle + 1;
-        else
-            beyond = middle;
-    }
-    return least;
-}
-
 const double *tinker_paths_of(const TinkerPaths *paths, TinkerBlockId block, double t, int32_t *count)
 {
     *count = 0;
     for (guint i = 0; paths != NULL && i < paths->blocks->len; i++) {
         if (g_array_index(paths->blocks, TinkerBlockId, i) != block) continue;
-        *count = (int32_t)count_until(paths->times, t);
+        *count = (int32_t)tinker_times_until((const double *)(const void *)paths->times->data, paths->times->len, t);
         return (const double *)(const void *)((const GArray *)g_ptr_array_index(paths->places, i))->data;
     }
     return NULL;

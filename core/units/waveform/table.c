@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "units/waveform/table-private.h"
+#include "units/waveform/times.h"
 
 static gboolean lack_memory(const char *work, const TinkerTable *table, GError **error)
 {
@@ -153,16 +154,7 @@ gboolean tinker_table_prepare_spline(TinkerTable *table, GError **error)
 
 gsize tinker_table_piece(const TinkerTable *table, double t)
 {
-    gsize low = 0, high = table->rows;
-    while (low < high) {
-        const gsize middle = low + (high - low) / 2;
-        if (table->times[middle] <= t) {
-            low = middle + 1;
-        } else {
-            high = middle;
-        }
-    }
-    return low;
+    return tinker_times_until(table->times, table->rows, t);
 }
 
 void tinker_table_evaluate(const TinkerTable *table, gsize piece, gboolean smooth, double t, double result[3])

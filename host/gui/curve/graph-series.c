@@ -9,6 +9,7 @@
 #include "measure/spectrum.h"
 #include "physics/record/columns.h"
 #include "units/waveform/table-columns.h"
+#include "units/waveform/times.h"
 
 #define GROWTH 1.2 /* by so much has a record to have grown before its spectrum is worked out anew */
 
@@ -326,15 +327,7 @@ gsize tinker_graph_series_sample_from(const TinkerGraphSeries *series, gsize poi
 
 gboolean tinker_graph_series_find(const TinkerGraphSeries *series, double time, gsize *point)
 {
-    const double *times = numbers(series->times);
-    gsize low = 0, high = series->y->len;
-    while (low < high) {
-        const gsize middle = low + (high - low) / 2;
-        if (times[middle] <= time)
-            low = middle + 1;
-        else
-            high = middle;
-    }
-    *point = low - 1;
-    return low > 0 && !series->is_spectrum;
+    const gsize count = tinker_times_until(numbers(series->times), series->y->len, time);
+    *point = count - 1;
+    return count > 0 && !series->is_spectrum;
 }

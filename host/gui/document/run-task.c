@@ -4,6 +4,7 @@
 
 #include "gui/document/run-task-private.h"
 #include "physics/record/columns.h"
+#include "units/waveform/times.h"
 
 #define PIECE   ((gsize)64 << 10) /* bytes of the record that are read at once */
 #define PORTION ((gsize)2 << 20)  /* and for one call, of which a frame may need a dozen */
@@ -213,18 +214,9 @@ gboolean tinker_run_task_read(TinkerRunTask *task, gsize row, double *time, Tink
     return TRUE;
 }
 
-/* How many of these times are not later than this one. */
 static gsize count_until(const GArray *times, double time)
 {
-    gsize low = 0, high = times->len;
-    while (low < high) {
-        const gsize middle = low + (high - low) / 2;
-        if (g_array_index(times, double, middle) <= time)
-            low = middle + 1;
-        else
-            high = middle;
-    }
-    return low;
+    return tinker_times_until((const double *)(const void *)times->data, times->len, time);
 }
 
 /* A column on one side of an event. FALSE where there is no such event, or none that is not later than `until`. */
