@@ -160,6 +160,48 @@ static void test_plank(CliFixture *fixture, gconstpointer data)
     cJSON_Delete(root);
 }
 
+/* Three boxes that slide apart under a fourth, thrown at them: contact as impulses. In each step momentum changes by
+ * what the terms add up to; turning is as the record has it, which the diagram shows. */
+static void test_impulses(CliFixture *fixture, gconstpointer data)
+{
+    static const char *const blocks[] = {"A", "B", "C", "D"};
+    static const double times[] = {0.05, 0.16, 0.3, 0.45, 0.6};
+    g_autofree char *scene = cli_write(
+        fixture, "scene.json",
+        "{\"tinker\": 1, \"run\": {\"duration\": 1, \"step\": 0.001, \"contacts\": \"impulse\"}, \"blocks\": ["
+        "{\"type\": \"gravity\"},"
+        "{\"type\": \"support\", \"name\": \"Floor\", \"position\": [0, -0.2], \"width\": 60,"
+        " \"static_friction\": 0.5, \"dynamic_friction\": 0.4},"
+        "{\"type\": \"box\", \"name\": \"A\", \"width\": 0.4, \"height\": 0.4, \"position\": [0, 0.2]},"
+        "{\"type\": \"box\", \"name\": \"B\", \"width\": 0.4, \"height\": 0.4, \"position\": [0.41, 0.2]},"
+        "{\"type\": \"box\", \"name\": \"C\", \"width\": 0.4, \"height\": 0.4, \"position\": [0.2, 0.6]},"
+        "{\"type\": \"disc\", \"name\": \"D\", \"mass\": 3, \"radius\": 0.2, \"position\": [-1, 0.7],"
+        " \"velocity\": [6, 0]}]}");
+    for (gsize i = 0; i < G_N_ELEMENTS(times) * G_N_ELEMENTS(blocks); i++) {
+        const double at = times[i / G_N_ELEMENTS(blocks)], mass = i % G_N_ELEMENTS(blocks) == 3 ? 3 : 1;
+        const char *block = blocks[i % G_N_ELEMENTS(blocks)];
+        g_autofree char *equations = g_strdup_printf("equations @scene.json --at %g --as json", at),
+                        *books = g_strdup_printf("books @scene.json --block %s --from %.3f --to %.3f --as json", block,
+                                                 at - 0.001, at),
+                        *diagram = g_strdup_printf("diagram @scene.json --block %s --time %g --as json", block, at);
+        cJSON *root = written_json(fixture, equations), *kept = written_json(fixture, books),
+              *drawn = written_json(fixture, diagram);
+        const cJSON *momentum = cJSON_GetObjectItem(cJSON_GetObjectItem(kept, "momentum"), "momentum");
+        const cJSON *from = cJSON_GetArrayItem(momentum, 0), *to = cJSON_GetArrayItem(momentum, 1);
+        double a[3];
+        for (int k = 0; k < 2; k++)
+            a[k] = (cJSON_GetArrayItem(to, k)->valuedouble - cJSON_GetArrayItem(from, k)->valuedouble) / (0.001 * mass);
+        a[2] = cJSON_GetObjectItem(cJSON_GetObjectItem(drawn, "kinetic"), "torque")->valuedouble /
+               cJSON_GetObjectItem(drawn, "inertia")->valuedouble;
+        assert_acceleration(root, block, a);
+        cJSON_Delete(root);
+        cJSON_Delete(kept);
+        cJSON_Delete(drawn);
+    }
+    static const char *const lines[] = {"(contact as impulses: its forces are the means of the last step)", NULL};
+    written_assert_page(fixture, "equations @scene.json --at 0.3", lines);
+}
+
 int main(int argc, char **argv)
 {
     g_test_init(&argc, &argv, NULL);
@@ -168,5 +210,6 @@ int main(int argc, char **argv)
     cli_test_add("/cli/equations-contacts/rolling-off", test_rolling_off);
     cli_test_add("/cli/equations-contacts/step", test_step);
     cli_test_add("/cli/equations-contacts/plank", test_plank);
+    cli_test_add("/cli/equations-contacts/impulses", test_impulses);
     return g_test_run();
 }

@@ -20,81 +20,11 @@ static TinkerExpression *copy(const TinkerExpression *expression)
     return tinker_expression_ref(expression);
 }
 
-const char *tinker_contact_name(TinkerEquationWriter *writer, const TinkerContactForce *contact, const char *stem,
-                                const char *component)
-{
-    if (contact->index == NULL) return tinker_writer_name(writer, contact->seat, stem, 0, component);
-    return tinker_equations_free_name(writer->equations, contact->seat, stem, contact->index, 0, component);
-}
-
 static TinkerExpression *across(TinkerExpression *const direction[2], const TinkerExpression *x,
                                 const TinkerExpression *y)
 {
     return tinker_expression_plus(tinker_expression_times(copy(direction[0]), copy(x)),
                                   tinker_expression_times(copy(direction[1]), copy(y)));
-}
-
-/* The two blocks --------------------------------------------------------------------------------------------------- */
-
-static void side_clear(TinkerContactSide *side)
-{
-    tinker_point_symbols_clear(&side->point);
-    g_clear_pointer(&side->radius, tinker_expression_unref);
-}
-
-static double rounding_of(const TinkerEquationWriter *writer, const TinkerContactForce *contact)
-{
-    return DBL_EPSILON * (hypot(contact->at[0], contact->at[1]) + writer->extent);
-}
-
-/* The names of an arm and of its parts in the axes of the block. */
-typedef struct {
-    TinkerBlockId of; /* the block */
-    const char *local, *arm;
-} ArmNames;
-
-/* The arm to a place of a block, `own` in its own axes; nothing at its centre. */
-static void add_arm(TinkerEquationWriter *writer, const TinkerContactForce *contact, TinkerContactSide *side,
-                    const ArmNames *names, const double own[2])
-{
-    static const char *const components[] = {"x", "y"};
-    const gboolean is_body = side->point.block >= 0;
-    const TinkerBlockId owner = is_body ? contact->seat : names->of;
-    const TinkerExpression *angle = side->point.angle;
-    TinkerExpression *local[2], *arm[2];
-    if (own[0] == 0 && own[1] == 0) return;
-    for (int k = 0; k < 2; k++) {
-        local[k] =
-            tinker_writer_symbol(writer, tinker_contact_name(writer, contact, names->local, components[k]), owner,
-                                 own[k], tinker_length_dimension, NULL,
-                                 is_body ? "where it touches, in the body's axes" : "its corner, in its own axes");
-        tinker_equations_set_rounding(writer->equations, local[k]->name, rounding_of(writer, contact));
-    }
-    if (tinker_expression_is_number(angle, 0)) {
-        side->point.arm_x = local[0];
-        side->point.arm_y = local[1];
-        return;
-    }
-    arm[0] =
-        tinker_expression_minus(tinker_expression_times(copy(local[0]), tinker_expression_call("cos", copy(angle))),
-                                tinker_expression_times(copy(local[1]), tinker_expression_call("sin", copy(angle))));
-    arm[1] = tinker_expression_plus(tinker_expression_times(local[0], tinker_expression_call("sin", copy(angle))),
-                                    tinker_expression_times(local[1], tinker_expression_call("cos", copy(angle))));
-    for (int k = 0; k < 2; k++)
-        arm[k] = tinker_writer_define(
-            writer, tinker_contact_name(writer, contact, names->arm, components[k]), owner, tinker_length_dimension,
-            is_body ? "arm from the centre of mass" : "from its centre to its corner", arm[k], FALSE);
-    side->point.arm_x = arm[0];
-    side->point.arm_y = arm[1];
-}
-
-/* A place in the axes of a shape, in those of its block: a mass has no angle, and its shape one that stays. */
-static void in_block_axes(const TinkerContactSide *side, double angle, const double place[2], double own[2])
-{
-    const gboolean stays = tinker_expression_is_number(side->point.angle, 0);
-    const double c = stays ? cos(angle) : 1, s = stays ? sin(angle) : 0;
-    own[0] = c * place[0] - s * place[1];
-    own[1] = s * place[0] + c * place[1];
 }
 
 /* The tip ---------------------------------------------------------------------------------------------------------- */
@@ -105,7 +35,7 @@ static void corner_of(const TinkerEquationWriter *writer, const TinkerContactFor
 {
     const TinkerActingTouch *touch = contact->touch;
     if (touch != NULL) {
-        in_block_axes(tip, touch->angle[touch->gap.tip_of], touch->gap.tip, own);
+        tinker_contact_in_block_axes(tip, touch->angle[touch->gap.tip_of], touch->gap.tip, own);
         return;
     }
     const TinkerBodySample *at = tinker_model_state_body(writer->state, contact->tip);
@@ -117,13 +47,13 @@ static void corner_of(const TinkerEquationWriter *writer, const TinkerContactFor
 
 static void add_tip(TinkerEquationWriter *writer, const TinkerContactForce *contact, TinkerContactSide *tip)
 {
-    const ArmNames names = {contact->tip, "a", "r"};
+    const TinkerContactArmNames names = {contact->tip, "a", "r"};
     double own[2] = {0, 0};
     tinker_writer_centre(writer, contact->tip, &tip->point);
     if (contact->shape == TINKER_TOUCHES_AS_DISC)
         tip->radius = tinker_writer_meaning(writer, contact->tip, TINKER_MEANING_RADIUS, 0, "R");
     if (contact->shape == TINKER_TOUCHES_AT_CORNER) corner_of(writer, contact, tip, own);
-    add_arm(writer, contact, tip, &names, own);
+    tinker_contact_add_arm(writer, contact, tip, &names, own);
 }
 
 /* The seat --------------------------------------------------------------------------------------------------------- */
@@ -201,23 +131,23 @@ static void add_edge(TinkerEquationWriter *writer, const TinkerContactForce *con
 {
     const TinkerGapFunction *gap = &contact->touch->gap;
     double n[2];
-    in_block_axes(&geometry->seat, contact->touch->angle[1 - gap->tip_of], gap->normal, n);
+    tinker_contact_in_block_axes(&geometry->seat, contact->touch->angle[1 - gap->tip_of], gap->normal, n);
     turned(writer, contact, geometry->seat.point.angle, atan2(n[1], n[0]), geometry->normal);
     geometry->off =
         edge_symbol(writer, contact->seat, "h", gap->normal[0] * gap->seat[0] + gap->normal[1] * gap->seat[1],
-                    tinker_length_dimension, "from its centre to its edge", rounding_of(writer, contact));
+                    tinker_length_dimension, "from its centre to its edge", tinker_contact_rounding(writer, contact));
 }
 
 static void add_round(TinkerEquationWriter *writer, const TinkerContactForce *contact, TinkerContactGeometry *geometry)
 {
-    const ArmNames names = {contact->seat, "b", "q"};
+    const TinkerContactArmNames names = {contact->seat, "b", "q"};
     const TinkerGapFunction *gap = &contact->touch->gap;
     TinkerContactSide *seat = &geometry->seat;
     double own[2];
     if (gap->seat_radius > 0)
         seat->radius = tinker_writer_meaning(writer, contact->seat, TINKER_MEANING_RADIUS, 0, "R");
-    in_block_axes(seat, contact->touch->angle[1 - gap->tip_of], gap->seat, own);
-    add_arm(writer, contact, seat, &names, own);
+    tinker_contact_in_block_axes(seat, contact->touch->angle[1 - gap->tip_of], gap->seat, own);
+    tinker_contact_add_arm(writer, contact, seat, &names, own);
     if (seat->point.arm_x != NULL) {
         geometry->dx = tinker_expression_minus(geometry->dx, copy(seat->point.arm_x));
         geometry->dy = tinker_expression_minus(geometry->dy, copy(seat->point.arm_y));
@@ -263,13 +193,12 @@ void tinker_contact_geometry_init(TinkerEquationWriter *writer, const TinkerCont
 
 void tinker_contact_geometry_clear(TinkerContactGeometry *geometry)
 {
-    TinkerExpression *const parts[] = {geometry->normal[0], geometry->normal[1], geometry->dx, geometry->dy};
-    side_clear(&geometry->tip);
-    side_clear(&geometry->seat);
+    TinkerExpression **const parts[] = {&geometry->normal[0], &geometry->normal[1], &geometry->dx,
+                                        &geometry->dy,        &geometry->off,       &geometry->distance};
+    tinker_contact_side_clear(&geometry->tip);
+    tinker_contact_side_clear(&geometry->seat);
     for (gsize i = 0; i < G_N_ELEMENTS(parts); i++)
-        tinker_expression_unref(parts[i]);
-    g_clear_pointer(&geometry->off, tinker_expression_unref);
-    g_clear_pointer(&geometry->distance, tinker_expression_unref);
+        g_clear_pointer(parts[i], tinker_expression_unref);
 }
 
 TinkerExpression *tinker_contact_gap(const TinkerContactGeometry *geometry)

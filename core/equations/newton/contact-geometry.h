@@ -3,19 +3,14 @@
 #ifndef TINKER_CORE_CONTACT_GEOMETRY_H
 #define TINKER_CORE_CONTACT_GEOMETRY_H
 
-#include "equations/newton/contact-terms.h"
-
-/* One of the two; expressions are owned. */
-typedef struct {
-    TinkerPointSymbols point; /* its centre, with the arm to a corner that turns with it */
-    TinkerExpression *radius; /* of a disc; else NULL */
-} TinkerContactSide;
+#include "equations/newton/contact-arms.h"
 
 typedef struct {
     TinkerContactSide tip, seat;
     TinkerExpression
         *normal[2];             /* unit vector, from the seat to the tip; the seat runs along (normal[1], -normal[0]) */
-    TinkerExpression *dx, *dy;  /* to the tip, from the centre of what has the seat; of a round, from that */
+    TinkerExpression *dx, *dy;  /* to the tip, from the centre of what has the seat; of a round, from that; of what
+    touches as impulses have it, NULL as the next two */
     TinkerExpression *off;      /* of an edge: how far it is from that centre; else NULL, and then */
     TinkerExpression *distance; /* from the round to the tip */
 } TinkerContactGeometry;
@@ -23,10 +18,6 @@ typedef struct {
 void tinker_contact_geometry_init(TinkerEquationWriter *writer, const TinkerContactForce *contact,
                                   TinkerContactGeometry *geometry);
 void tinker_contact_geometry_clear(TinkerContactGeometry *geometry);
-
-/* A name for a symbol of a contact. Borrowed from the equations. */
-const char *tinker_contact_name(TinkerEquationWriter *writer, const TinkerContactForce *contact, const char *stem,
-                                const char *component);
 
 /* The gap: 0 where they touch. (transfer full) */
 TinkerExpression *tinker_contact_gap(const TinkerContactGeometry *geometry);

@@ -14,6 +14,9 @@ typedef struct {
     TinkerTouchShape shape;         /* of the tip */
     const TinkerActingTouch *touch; /* NULL: nothing is known but that the seat is the top of a support */
     const char *index;              /* of its symbols; NULL: that of the seat's block */
+    gboolean is_mean;               /* of a step, as impulses have it, and then ... */
+    double direction[2];            /* ... n, across what touches, and ... */
+    double at_seat[2];              /* m: ... where it touches the seat's body */
 } TinkerContactForce;
 
 /* Whether the seat is the top of a support, whose size says where it is. */

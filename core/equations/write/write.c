@@ -208,13 +208,30 @@ static void write_constraints(TinkerPage *page, GHashTable *needed)
     }
 }
 
+/* The names of all blocks of which the same is missing as of entry `first`, each once. (transfer full) */
+static char *names_of_missing(const TinkerEquations *equations, guint first)
+{
+    const TinkerNotWritten *missing = g_ptr_array_index(equations->not_written, first);
+    g_autoptr(GString) names = g_string_new(NULL);
+    g_autoptr(GHashTable) named = g_hash_table_new(NULL, NULL);
+    for (guint i = first; i < equations->not_written->len; i++) {
+        const TinkerNotWritten *each = g_ptr_array_index(equations->not_written, i);
+        if (strcmp(each->why, missing->why) != 0 || !g_hash_table_add(named, GINT_TO_POINTER(each->block))) continue;
+        g_string_append_printf(names, "%s%s", names->len > 0 ? ", " : "", name_of(equations, each->block));
+    }
+    return g_string_free(g_steal_pointer(&names), FALSE);
+}
+
+/* Once for each reason. */
 static void write_missing(TinkerPage *page)
 {
     const TinkerEquations *equations = page->equations;
+    g_autoptr(GHashTable) told = g_hash_table_new(g_str_hash, g_str_equal);
     for (guint i = 0; i < equations->not_written->len; i++) {
         const TinkerNotWritten *missing = g_ptr_array_index(equations->not_written, i);
-        g_autofree char *sentence = g_strdup_printf(_("not written: %s (%s)"), name_of(equations, missing->block),
-                                                    tinker_page_words(missing->why));
+        if (!g_hash_table_add(told, missing->why)) continue;
+        g_autofree char *names = names_of_missing(equations, i);
+        g_autofree char *sentence = g_strdup_printf(_("not written: %s (%s)"), names, tinker_page_words(missing->why));
         tinker_page_heading(page, sentence);
     }
 }

@@ -109,9 +109,10 @@ typedef struct {
 /* What a body presses with, as impulses have it (impulse/pile.h): where, and the mean of the last step. */
 typedef struct {
     int32_t body, by;        /* points: of the body that it acts on, and of the body or support that it comes from */
-    double normal[2], at[2]; /* out of the other; relative to the origin */
+    double normal[2];        /* out of the other */
     double press, friction;  /* N, along the normal and t */
-    double arm[2], slide[2]; /* of both bodies: the arms of these where the step began, over the radius of gyration */
+    double from[2][2];       /* m: to where they touch from the centre of each, where the step began */
+    double arm[2], slide[2]; /* of both bodies: the arms of these there, over the radius of gyration */
 } TinkerPressing;
 
 /* One equation of the closed contacts that are solved together: `row` is what it keeps at 0, `force` the direction of

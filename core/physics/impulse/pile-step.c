@@ -112,14 +112,15 @@ static void show(const TinkerImpulses *self, const TinkerPileTouch *touch, const
                  const double at[2], guint number)
 {
     const int32_t by = touch->body[1], bodies = self->model->bodies;
+    const double *first = self->pile->shape[touch->body[0]].place, *second = self->pile->shape[by].place;
     TinkerPressing *pressing = &g_array_index(self->contacts->pressings, TinkerPressing, number);
     *pressing = (TinkerPressing){
         .body = touch->body[0],
         .by = by < bodies ? by : self->contacts->plates[by - bodies].point,
         .normal = {touch->normal[0], touch->normal[1]},
-        .at = {at[0], at[1]},
         .press = point->normal / self->h,
         .friction = point->sliding / self->h,
+        .from = {{at[0] - first[0], at[1] - first[1]}, {at[0] - second[0], at[1] - second[1]}},
         .arm = {point->arm[0], point->arm[1]},
         .slide = {point->slide[0], point->slide[1]},
     };

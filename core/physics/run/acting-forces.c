@@ -180,20 +180,57 @@ static void add_straight_rows(TinkerActingForces *forces)
                 all->lambda[row] * all->jacobian[2 * e], all->lambda[row] * all->jacobian[2 * e + 1], 0);
 }
 
-/* One force of a contact and the opposite one on the plate, both where they touch. */
-static void add_touch(TinkerActingForces *forces, TinkerActingKind kind, const TinkerContact *contact, double fx,
-                      double fy)
+/* A contact of block `on` with block `by`, of which the other has the opposite. */
+typedef struct {
+    TinkerBlockId on, by;
+    const double *normal;   /* from the other to what it is on */
+    double press, friction; /* N, along the normal and t */
+    double at[2][2];        /* where it acts on each; relative to the origin */
+    double resists[2];      /* N m: a torque beside friction, on each */
+    int32_t touch;
+} Touching;
+
+static void add_touching(TinkerActingForces *forces, const Touching *contact)
+{
+    const TinkerModel *model = forces->model;
+    const TinkerBlockId block[2] = {contact->on, contact->by};
+    const double *n = contact->normal;
+    const double push[2][2] = {{contact->press * n[0], contact->press * n[1]},
+                               {contact->friction * n[1], -contact->friction * n[0]}};
+    for (int i = 0; i < 4; i++) {
+        const int along = i / 2, other = i % 2;
+        const TinkerActingForce force = {.by = block[1 - other],
+                                         .on = block[other],
+                                         .kind = along ? TINKER_ACTING_FRICTION : TINKER_ACTING_NORMAL,
+                                         .x = contact->at[other][0] + model->origin[0],
+                                         .y = contact->at[other][1] + model->origin[1],
+                                         .fx = other ? -push[along][0] : push[along][0],
+                                         .fy = other ? -push[along][1] : push[along][1],
+                                         .torque = along ? contact->resists[other] : 0,
+                                         .end = -1,
+                                         .touch = contact->touch,
+                                         .is_answer = other,
+                                         .is_mean = model->contacts->impulses};
+        g_array_append_val(forces->out, force);
+    }
+}
+
+/* Of a mass that lies on a plate. */
+static void add_touch(TinkerActingForces *forces, const TinkerContact *contact)
 {
     const TinkerModel *model = forces->model;
     const TinkerPlate *plate = &model->contacts->plates[contact->plate];
     const TinkerPoint *centre = &model->point[contact->body];
-    TinkerBlockId body = model->body_blocks[contact->body];
-    double off = model->contacts->half_height[contact->body];
-    double x = centre->x - off * plate->normal[0] + model->origin[0];
-    double y = centre->y - off * plate->normal[1] + model->origin[1];
-    TinkerActingForce pair[2] = {{plate->block, body, kind, x, y, fx, fy, 0, -1, -1},
-                                 {body, plate->block, kind, x, y, -fx, -fy, 0, -1, -1}};
-    g_array_append_vals(forces->out, pair, 2);
+    const double off = model->contacts->half_height[contact->body], *n = plate->normal;
+    const double x = centre->x - off * n[0], y = centre->y - off * n[1];
+    const Touching touching = {.on = model->body_blocks[contact->body],
+                               .by = plate->block,
+                               .normal = n,
+                               .press = contact->normal,
+                               .friction = contact->friction,
+                               .at = {{x, y}, {x, y}},
+                               .touch = -1};
+    add_touching(forces, &touching);
 }
 
 /* For contacts to come. */
@@ -234,40 +271,40 @@ static void add_gap(TinkerActingForces *forces, int32_t number)
     TinkerContactEntries entries;
     const TinkerBlockId block[2] = {tinker_model_block_of(model, plate->pair->point[0]),
                                     tinker_model_block_of(model, plate->pair->point[1])};
-    double resists[2]; /* N m */
     tinker_contact_gap_entries(model->contacts, contact->plate, &entries);
     note_touch(forces, contact, entries.normal, block);
-    const int32_t touch = (int32_t)forces->touches->len - 1;
-    for (int k = 0; k < 2; k++) {
-        resists[k] = torque_on(model, plate->pair->point[k], k == tip ? moment : -moment);
-    }
-    const double *n = entries.normal, x = entries.point[0] + model->origin[0], y = entries.point[1] + model->origin[1];
-    const double push[2][2] = {{contact->normal * n[0], contact->normal * n[1]},
-                               {contact->friction * n[1], -contact->friction * n[0]}};
-    for (int k = 0; k < 2; k++) {
-        const TinkerActingKind kind = k == 0 ? TINKER_ACTING_NORMAL : TINKER_ACTING_FRICTION;
-        const double fx = push[k][0], fy = push[k][1];
-        TinkerActingForce pair[2] = {
-            {block[1 - tip], block[tip], kind, x, y, fx, fy, k == 0 ? 0 : resists[tip], -1, touch},
-            {block[tip], block[1 - tip], kind, x, y, -fx, -fy, k == 0 ? 0 : resists[1 - tip], -1, touch}};
-        g_array_append_vals(forces->out, pair, 2);
-    }
+    const double *n = entries.normal, *at = entries.point;
+    const Touching touching = {.on = block[tip],
+                               .by = block[1 - tip],
+                               .normal = n,
+                               .press = contact->normal,
+                               .friction = contact->friction,
+                               .at = {{at[0], at[1]}, {at[0], at[1]}},
+                               .resists = {torque_on(model, plate->pair->point[tip], moment),
+                                           torque_on(model, plate->pair->point[1 - tip], -moment)},
+                               .touch = (int32_t)forces->touches->len - 1};
+    add_touching(forces, &touching);
 }
 
-/* As impulses have it: on the first, and the opposite on the other. */
+/* As impulses have it. On each it acts at the arm that it had in the step, for the moment that it had there; on a
+ * support where it acts on the body. */
 static void add_pressing(TinkerActingForces *forces, const TinkerPressing *each)
 {
     const TinkerModel *model = forces->model;
-    const TinkerBlockId on = tinker_model_block_of(model, each->body), by = tinker_model_block_of(model, each->by);
-    const double *n = each->normal, x = each->at[0] + model->origin[0], y = each->at[1] + model->origin[1];
-    const double push[2][2] = {{each->press * n[0], each->press * n[1]},
-                               {each->friction * n[1], -each->friction * n[0]}};
+    const int32_t point[2] = {each->body, each->by};
+    Touching touching = {.on = tinker_model_block_of(model, each->body),
+                         .by = tinker_model_block_of(model, each->by),
+                         .normal = each->normal,
+                         .press = each->press,
+                         .friction = each->friction,
+                         .touch = -1};
     for (int k = 0; k < 2; k++) {
-        const TinkerActingKind kind = k == 0 ? TINKER_ACTING_NORMAL : TINKER_ACTING_FRICTION;
-        TinkerActingForce pair[2] = {{by, on, kind, x, y, push[k][0], push[k][1], 0, -1, -1},
-                                     {on, by, kind, x, y, -push[k][0], -push[k][1], 0, -1, -1}};
-        g_array_append_vals(forces->out, pair, 2);
+        const int of = tinker_model_body_of(model, point[k]) >= 0 ? k : 0;
+        const TinkerPoint *centre = &model->point[point[of]];
+        touching.at[k][0] = centre->x + each->from[of][0];
+        touching.at[k][1] = centre->y + each->from[of][1];
     }
+    add_touching(forces, &touching);
 }
 
 static void add_contacts(TinkerActingForces *forces)
@@ -275,14 +312,11 @@ static void add_contacts(TinkerActingForces *forces)
     const TinkerContacts *contacts = forces->model->contacts;
     for (guint i = 0; contacts != NULL && i < contacts->closed->len; i++) {
         const TinkerContact *contact = tinker_contacts_closed(contacts, i);
-        const double *n = contacts->plates[contact->plate].normal;
         if (tinker_contacts_resists(contacts, contact)) continue; /* a moment beside the friction of what bears it */
-        if (tinker_contacts_is_gap(contacts, contact)) {
+        if (tinker_contacts_is_gap(contacts, contact))
             add_gap(forces, (int32_t)i);
-            continue;
-        }
-        add_touch(forces, TINKER_ACTING_NORMAL, contact, contact->normal * n[0], contact->normal * n[1]);
-        add_touch(forces, TINKER_ACTING_FRICTION, contact, contact->friction * n[1], -contact->friction * n[0]);
+        else
+            add_touch(forces, contact);
     }
     for (guint i = 0; contacts != NULL && i < contacts->pressings->len; i++)
         add_pressing(forces, &g_array_index(contacts->pressings, TinkerPressing, i));

@@ -18,15 +18,18 @@ typedef enum {
 } TinkerActingKind;
 
 /* One force. `by` is the connector, force element or field; of a contact, the other of the two blocks that touch. `on`
- * is a body that can move or a support. It may be 0: a slack rope, a wind that stands still. */
+ * is a body that can move or a support. It may be 0: a slack rope, a wind that stands still. A contact has four, behind
+ * one another: its normal force and the answer to that, its friction and the answer to that. */
 typedef struct {
     TinkerBlockId by, on;
     TinkerActingKind kind;
-    double x, y;   /* m: where it acts, in the world */
-    double fx, fy; /* N */
-    double torque; /* N m: beside that of the force at its arm */
-    int32_t end;   /* of `by`: the number of the end it acts at; -1: at none */
-    int32_t touch; /* of a contact whose gap function is known: its number among the touches; else -1 */
+    double x, y;        /* m: where it acts, in the world */
+    double fx, fy;      /* N */
+    double torque;      /* N m: beside that of the force at its arm */
+    int32_t end;        /* of `by`: the number of the end it acts at; -1: at none */
+    int32_t touch;      /* of a contact whose gap function is known: its number among the touches; else -1 */
+    gboolean is_answer; /* of a contact: the opposite, on the other body, of the force that stands before it */
+    gboolean is_mean;   /* of the last step, as impulses have contact */
 } TinkerActingForce;
 
 /* Two shapes that touch, by one of their gap functions. */
