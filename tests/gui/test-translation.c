@@ -256,7 +256,7 @@ static void test_words_of_equations(void)
 {
     static const char *const words[][2] = {{"angle", "Winkel"},
                                            {"speed against the air", "Geschwindigkeit gegen die Luft"},
-                                           {"force of contact", "Kontaktkraft"},
+                                           {"normal force", "Normalkraft"},
                                            {"its plugin states no law", "sein Plugin nennt kein Gesetz"},
                                            {"a constraint holds it", "eine Zwangsbedingung hält ihn"}};
     static const char *const properties[][2] = {{"rest_length", "Ungedehnte Länge"},

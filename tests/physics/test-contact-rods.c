@@ -205,8 +205,44 @@ static void test_chain_onto_floor(void)
     check_chain_onto_floor(150, 0.45); /* here some stick, and come to their limit */
 }
 
+/* --- what slides and is halted by the landing of another --- */
+
+/* From then on nothing pushes along the floor: friction and the forces of rods are 0. */
+static void check_halted(const char *masses, const char *columns, gsize count)
+{
+    for (gsize i = 0; i < CONTACT_METHODS; i++) {
+        PhysicsOptions options = contact_options(&contact_methods[i], 0.8, columns);
+        g_autoptr(PhysicsRun) run = physics_run(
+            &options,
+            CONTACT_WEIGHT CONTACT_FLOOR ", 'width': 20, 'static_friction': 0.6, 'dynamic_friction': 0.5}, %s", masses);
+        for (gsize k = 0; k < count; k++)
+            physics_assert_near(contact_methods[i].method, physics_last(run, k), 0, 1e-8);
+    }
+}
+
+/* The second comes down on the floor, and what stops it there stops the first, which slid, through the rod. */
+static void test_halted_by_a_rod(void)
+{
+    check_halted(CONTACT_POINT ", 'mass': 1, 'velocity': [0.7, 0]}, " CONTACT_POINT
+                               ", 'mass': 2, 'position': [1, 0.3], 'velocity': [0.7, 0]},"
+                               "{'type': 'rod', 'ends': ['Mass 0', 'Mass 1']}",
+                 "Mass 0.vx, Mass 0.friction force, Mass 1.friction force, Rod 0.tension", 4);
+}
+
+/* The middle one comes down between two that slide apart: they stand still in the moment in which all lie in line. */
+static void test_halted_in_line(void)
+{
+    check_halted(CONTACT_POINT
+                 ", 'mass': 1}, " CONTACT_POINT ", 'mass': 1.4, 'position': [1, 0.3]}, " CONTACT_POINT
+                 ", 'mass': 2, 'position': [2, 0]},"
+                 "{'type': 'rod', 'ends': ['Mass 0', 'Mass 1']}, {'type': 'rod', 'ends': ['Mass 1', 'Mass 2']}",
+                 "Mass 0.vx, Mass 2.vx, Mass 0.friction force, Mass 2.friction force, Rod 0.tension, Rod 1.tension", 6);
+}
+
 static void add_tests(void)
 {
+    g_test_add_func("/physics/contact-rods/halted-by-a-rod", test_halted_by_a_rod);
+    g_test_add_func("/physics/contact-rods/halted-in-line", test_halted_in_line);
     g_test_add_func("/physics/contact-rods/pendulum-at-its-lowest", test_pendulum_at_its_lowest);
     g_test_add_func("/physics/contact-rods/pendulum-oblique", test_pendulum_oblique);
     g_test_add_func("/physics/contact-rods/pendulum-leans", test_pendulum_leans);

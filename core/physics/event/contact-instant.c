@@ -1,5 +1,5 @@
-/* Ends a step at an event: by its dense output where the method remembers its steps, else by steps that are made again
- * until one ends there. */
+/* Ends a step at an event: by its dense output where the method remembers its steps, or where the step was far shorter
+ * than its error asks for; else by steps that are made again until one ends there. */
 #include <float.h>
 #include <math.h>
 #include <string.h>
@@ -153,11 +153,20 @@ static TinkerStatus step_to_event(TinkerContactRun *self, const TinkerTrigger *t
     return TINKER_OK;
 }
 
+/* Whether dense output of the step that was made is as good as a step that ends within it: its error is of the order of
+ * the estimate for the whole step, or a lower one. Where one event follows upon another most steps are like that. */
+static gboolean is_smooth_within(const TinkerContactRun *self, double time, const TinkerStepReport *report)
+{
+    const gboolean inside = time > self->from.t && time < self->run->state.t && !self->carried;
+    return inside && self->in_plane && tinker_method_is_adaptive(self->run->choice.method) &&
+           report->error <= TINKER_CUT_ERROR;
+}
+
 static TinkerStatus end_at_fall(TinkerContactRun *self, const TinkerTrigger *trigger, double time, double slope,
                                 TinkerStepReport *report)
 {
-    return self->remembers ? cut_to_event(self, trigger, time, slope, report)
-                           : step_to_event(self, trigger, time, slope, report);
+    return self->remembers || is_smooth_within(self, time, report) ? cut_to_event(self, trigger, time, slope, report)
+                                                                   : step_to_event(self, trigger, time, slope, report);
 }
 
 static gboolean is_same(const TinkerTrigger *a, const TinkerTrigger *b)

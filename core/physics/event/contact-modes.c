@@ -40,6 +40,14 @@ static int8_t limit_of(const TinkerContactChange *change, const TinkerTouch *at)
     return is_slow(change, at->place.tangential_speed) ? at->limit : 0;
 }
 
+static gboolean anything_struck(const TinkerContactChange *change)
+{
+    gboolean struck = FALSE;
+    for (guint i = 0; i < change->touches->len; i++)
+        struck |= tinker_touch(change, i)->struck;
+    return struck;
+}
+
 /* Which way it slides; 0 where it is slow enough to stick. An event says that it stops, or that it begins. */
 static int8_t sliding_of(const TinkerContactChange *change, guint number, double acceleration)
 {
@@ -55,10 +63,10 @@ static int8_t sliding_of(const TinkerContactChange *change, guint number, double
     double length = plate->gap != NULL ? change->contacts->thickness : plate->half_width + plate->half_height;
     double scale = change->speed + sqrt(acceleration * length);
     if (fabs(speed) > change->slow * scale) return speed > 0 ? 1 : -1;
-    /* one that has just begun to slip goes on, until an event of its own says that it stops; what slipped clearly stops
-     * now */
+    /* one that has just begun to slip goes on, until an event of its own says that it stops, or a blow on any that it
+     * is tied to has changed its speed; what slipped clearly stops now */
     gboolean begins = at->contact.starts || !change->run->starts_low;
-    gboolean stops = tinker_change_is_trigger(change, at) || at->struck || !begins;
+    gboolean stops = tinker_change_is_trigger(change, at) || anything_struck(change) || !begins;
     if (stops || at->was == TINKER_CONTACT_OPEN || at->was == TINKER_CONTACT_STICK) return 0;
     return at->was == TINKER_CONTACT_SLIP_FORWARD ? 1 : -1;
 }
@@ -84,10 +92,7 @@ static gboolean goes_over_end(const TinkerContactChange *change, const TinkerTou
 {
     double outwards = at->place.along > 0 ? at->place.along_speed : -at->place.along_speed;
     if (!at->at_end || outwards > TINKER_STILL * change->speed) return at->at_end;
-    gboolean struck = FALSE;
-    for (guint i = 0; i < change->touches->len; i++)
-        struck |= tinker_touch(change, i)->struck;
-    return !struck && outwards >= -TINKER_STILL * change->speed;
+    return !anything_struck(change) && outwards >= -TINKER_STILL * change->speed;
 }
 
 /* What parts, or goes over an end of its top, is not asked. */

@@ -63,6 +63,8 @@
 #define TINKER_SOON 0.0625
 /* No unit; of the tolerance: an error that is nothing beside what steps make. */
 #define TINKER_CARRIED_SHARE 1e-4
+/* No unit; of the tolerance, by the estimate of a step: so much less, and a state from within the step is good. */
+#define TINKER_CUT_ERROR 1e-3
 /* No unit; of accelerations: within a usual step they change by less than so many times as much. */
 #define TINKER_CARRIED_CHANGE 10.0
 /* No unit; of a usual step: so near to an event its state may be carried to it. */
