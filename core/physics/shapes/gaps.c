@@ -332,7 +332,9 @@ gboolean tinker_gap_is_over(const TinkerGapFunction *function, const TinkerBodyP
     (void)second;
     double above[2];
     const double beyond = fabs(gap->along) - function->half_width;
-    if (beyond > tolerance || (beyond > -tolerance && gap->along * gap->along_speed > 0)) return FALSE;
+    const gboolean moves_off =
+        gap->along * gap->along_speed > 0 && fabs(gap->along_speed) > TINKER_STRAIGHT_DOWN * fabs(gap->normal_speed);
+    if (beyond > tolerance || (beyond > -tolerance && moves_off)) return FALSE;
     for (int k = 0; k < 2; k++) {
         double side[2];
         turn(tip, function->sides[k], side);

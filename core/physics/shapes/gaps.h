@@ -90,7 +90,7 @@ double tinker_gap_alone(const TinkerGapFunction *function, const TinkerBodyPose 
 
 /* Whether the tip is over the seat, and none of its own edges leads on into it, so that the gap is one between the
  * shapes: of two boxes on one floor whose lower corners meet, none is above or below the other. Within `tolerance` (m)
- * of an end one that moves on over it is not. */
+ * of an end one that moves on over it is not; what moves straight at the seat, to rounding, does not. */
 gboolean tinker_gap_is_over(const TinkerGapFunction *function, const TinkerBodyPose *first,
                             const TinkerBodyPose *second, const TinkerGap *gap, double tolerance);
 

@@ -21,5 +21,7 @@
 #define TINKER_PARALLEL 1e-12
 /* m: points this far beside a line are on it. Held by: -. */
 #define TINKER_ON_THE_LINE 1e-9
+/* No unit; of the speed across what meets there: a speed along it is rounding. Held by: contact-flush. */
+#define TINKER_STRAIGHT_DOWN 1e-12
 
 #endif
