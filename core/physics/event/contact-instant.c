@@ -115,7 +115,8 @@ static TinkerStatus cut_to_event(TinkerContactRun *self, const TinkerTrigger *tr
 
 /* The step is made again, to the event: dense output says when it is, the step itself how far it is off there. Where
  * the method makes several steps of it, the last of them goes on from here. What falls at once stays there: a slope
- * that is next to nothing would lead past everything else. */
+ * that is next to nothing would lead past everything else. What has not fallen as far as this looks, as where dense
+ * output is of a much longer step than this, is no event of it: nothing is pending, and no time is expected. */
 static TinkerStatus step_to_event(TinkerContactRun *self, const TinkerTrigger *trigger, double time, double slope,
                                   TinkerStepReport *report)
 {
@@ -123,6 +124,7 @@ static TinkerStatus step_to_event(TinkerContactRun *self, const TinkerTrigger *t
     const double from = self->from.t, length = run->state.t - from;
     double first = MIN(from + fmax(TINKER_AT_ONCE * length, 4 * DBL_EPSILON * fabs(from)), self->limit);
     double end = time > from ? CLAMP(run->state.t + BEYOND_STEP * length, first, self->limit) : first;
+    const double farthest = end;
     Trial trial = {CLAMP(time, first, end), 0}, before = trial;
     if (tinker_contact_run_ends_near(self, trial.time)) before.time = trial.time = run->state.t;
     for (int k = 0; k < MOST_TRIALS; k++) {
@@ -149,7 +151,11 @@ static TinkerStatus step_to_event(TinkerContactRun *self, const TinkerTrigger *t
         before = trial;
         trial.time = next;
     }
-    stand_on_event(self, trigger);
+    const gboolean fell = time <= from || trial.time < farthest || trial.value <= fabs(trigger->level);
+    if (fell)
+        stand_on_event(self, trigger);
+    else
+        self->hint = INFINITY;
     return TINKER_OK;
 }
 
@@ -245,14 +251,15 @@ TinkerStatus tinker_contact_run_end_at(TinkerContactRun *self, const TinkerTrigg
         TinkerTrigger earlier;
         gboolean passed = FALSE;
         TinkerStatus status = end_at_fall(self, &first, time, slope, report);
+        const gboolean missed = !self->pending && !isfinite(self->hint);
         if (status == TINKER_OK && self->pending) status = has_passed_another(self, &first, &passed);
-        if (status != TINKER_OK || !passed) return status;
+        if (status != TINKER_OK || !(passed || missed)) return status;
         const double end = self->run->state.t;
         status = search_before(self, &first, &earlier, &time, &slope, report);
         const gboolean ends_earlier = self->run->state.t < end; /* and not at the event */
         if (ends_earlier) self->pending = FALSE;
         if (status != TINKER_OK || earlier.kind == TINKER_TRIGGER_NONE) return status;
-        if (is_same(&earlier, &first) && !ends_earlier) return TINKER_OK;
+        if (is_same(&earlier, &first) && !ends_earlier && !missed) return TINKER_OK;
         first = earlier;
         self->pending = FALSE;
         if (++times == MOST_EARLIER) return end_at_fall(self, &first, time, slope, report);
