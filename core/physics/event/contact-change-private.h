@@ -186,9 +186,9 @@ gboolean tinker_change_changes_side(const TinkerContactChange *change, const Tin
 
 /* Whether nothing determines how the closed contacts of the group share their load. */
 gboolean tinker_change_shares_load(const TinkerContactChange *change);
-/* Shares the load evenly where that keeps the laws, else by what presses on each corner, else as the laws gave it: that
- * may stand at a limit. Answers whether it is the even share: what has reached its limit by another one need not slip
- * then. */
+/* Shares the load evenly where that keeps the laws, or evenly among bodies and among the corners of one by what presses
+ * on each; else as the laws gave it, which may stand at a limit, among corners likewise. Answers whether it is the even
+ * share: what has reached its limit by another one need not slip then. */
 gboolean tinker_change_share_load(TinkerContactChange *change);
 /* Lets impulses act, and books what they take. */
 gboolean tinker_change_push_all(TinkerContactChange *change, const double *impulses);

@@ -105,6 +105,25 @@ static void share_by_load(TinkerContactChange *change, const TinkerContact *kept
     }
 }
 
+/* The share of least norm between bodies; corners that hold together by what presses on each, as friction that all bear
+ * alike may be beyond the limit of the one that is pressed less. */
+static void share_evenly_by_load(TinkerContactChange *change, const TinkerContact *kept)
+{
+    TinkerContacts *contacts = change->contacts;
+    const TinkerState *state = &change->run->run->state;
+    share_evenly(change, kept);
+    tinker_contacts_take_shares(contacts);
+    if (tinker_contact_run_look_at(change->run, state->t, state->q, state->v, NULL) != TINKER_OK) return;
+    for (guint i = 0; i < contacts->closed->len; i++) {
+        TinkerContact *contact = tinker_contacts_closed(contacts, i);
+        if (!is_asked(change, contact)) continue;
+        if (!tinker_contacts_resists(contacts, contact)) contact->base_normal = contact->normal;
+        contact->base_friction = contact->friction;
+    }
+    g_autofree TinkerContact *even = g_memdup2(contacts->closed->data, contacts->closed->len * sizeof(TinkerContact));
+    share_by_load(change, even);
+}
+
 /* Takes a share if it keeps the laws, else the one that there was. */
 static gboolean try_share(TinkerContactChange *change, void (*share)(TinkerContactChange *, const TinkerContact *))
 {
@@ -283,7 +302,7 @@ static gboolean share_where_it_turns(TinkerContactChange *change)
 
 gboolean tinker_change_share_load(TinkerContactChange *change)
 {
-    if (try_share(change, share_evenly)) return TRUE;
+    if (try_share(change, share_evenly) || try_share(change, share_evenly_by_load)) return TRUE;
     if ((change->turns || tinker_change_repeats(change)) && share_within(change)) return TRUE;
     if (change->turns && change->trigger.row < 0 && share_where_it_turns(change)) return TRUE;
     try_share(change, share_by_load);
