@@ -26,8 +26,8 @@
 typedef struct {
     char *name;
     double value;
-    gboolean total;      /* it stands by itself: what was there, what came of it */
-    TinkerBlockId block; /* TINKER_NO_BLOCK: none */
+    gboolean total; /* it stands by itself: what was there, what came of it */
+    TinkerPointed what;
 } Entry;
 
 typedef struct {
@@ -41,7 +41,8 @@ typedef struct {
     const TinkerBooksPicture *picture;
     cairo_t *cairo;
     TinkerTextPen pen;
-    double name_room; /* canvas units: of all accounts, so that their bars begin alike */
+    double name_room;  /* canvas units: of all accounts, so that their bars begin alike */
+    gboolean some_lit; /* others are faded */
 } Drawing;
 
 static void entry_clear(gpointer data)
@@ -93,7 +94,7 @@ static double given(const TinkerBookEntry *entry, Which which)
 
 static void add_total(Account *account, const char *name, double value)
 {
-    const Entry entry = {g_strdup(name), value, TRUE, TINKER_NO_BLOCK};
+    const Entry entry = {g_strdup(name), value, TRUE, tinker_pointed_block(TINKER_NO_BLOCK)};
     g_array_append_val(account->entries, entry);
 }
 
@@ -128,6 +129,14 @@ static char *title_of_account(const TinkerBooksPicture *picture, Which which)
     return g_strdup_printf(_("Angular impulse and momentum about %s"), about);
 }
 
+/* Of the books of one body the forces on it alone. */
+static TinkerPointed thing_of(const TinkerBooksPicture *picture, const TinkerBookEntry *entry)
+{
+    TinkerPointed thing = tinker_pointed_block(entry->by);
+    if (picture->bodies[0] >= 0 && picture->bodies[1] < 0) thing.on = picture->bodies[0];
+    return thing;
+}
+
 static Account account_of(const TinkerBooksPicture *picture, Which which)
 {
     static const TinkerDimension dimensions[ACCOUNTS] = {TINKER_DIMENSION_FORCE,  TINKER_DIMENSION_FORCE,
@@ -146,7 +155,7 @@ static Account account_of(const TinkerBooksPicture *picture, Which which)
         const TinkerBookEntry *entry = &g_array_index(books->entries, TinkerBookEntry, i);
         if (entry->inner && which != ENERGY) continue; /* it cancels */
         const Entry one = {g_strdup(tinker_scene_block_name(picture->scene, entry->by)), given(entry, which), FALSE,
-                           entry->by};
+                           thing_of(picture, entry)};
         g_array_append_val(account.entries, one);
     }
     add_total(&account, which <= FORCE_Y ? _("= m a") : _("= after"), totals[1]);
@@ -171,7 +180,8 @@ static void gather(Account *account, guint most)
         if (account->entries->len + 1 <= MAX(most, 4)) break;
     }
     if (gathered == 0) return;
-    const Entry others = {g_strdup_printf(_("%u others"), gathered), rest, FALSE, TINKER_NO_BLOCK};
+    const Entry others = {g_strdup_printf(_("%u others"), gathered), rest, FALSE,
+                          tinker_pointed_block(TINKER_NO_BLOCK)};
     g_array_insert_val(account->entries, account->entries->len - 1, others);
 }
 
@@ -202,8 +212,7 @@ static const double *colour_of(const Drawing *drawing, const Entry *entry)
 
 static void draw_bar(Drawing *drawing, const Entry *entry, const double ends[2], double y, double height)
 {
-    const TinkerBlockId lit = drawing->picture->lit;
-    const double share = lit == TINKER_NO_BLOCK || lit == entry->block ? 1 : FADED;
+    const double share = !drawing->some_lit || tinker_pointed_lights(drawing->picture->lit, &entry->what) ? 1 : FADED;
     const double left = fmin(ends[0], ends[1]), width = fabs(ends[1] - ends[0]);
     set_colour(drawing, colour_of(drawing, entry), share);
     cairo_rectangle(drawing->cairo, left, y - height / 2, fmax(width, 1), height);
@@ -218,6 +227,14 @@ static void draw_step(Drawing *drawing, double x, double y, double row)
     cairo_move_to(drawing->cairo, x, y);
     cairo_line_to(drawing->cairo, x, y + row);
     cairo_stroke(drawing->cairo);
+}
+
+/* What a row says; it reaches from `at` to the right end, so high. */
+static void add_spot(Drawing *drawing, const Entry *entry, const char *value, const double at[4])
+{
+    const double box[] = {at[0], at[1] - at[3] / 2, at[2], at[1] + at[3] / 2};
+    g_autofree char *text = g_strdup_printf("%s  %s", entry->name, value);
+    tinker_spots_add_box(drawing->picture->spots, box, entry->what, text);
 }
 
 static void draw_entries(Drawing *drawing, const Account *account, const double place[4], double row)
@@ -247,6 +264,8 @@ static void draw_entries(Drawing *drawing, const Account *account, const double 
         write_text(drawing,
                    (TinkerText){.text = value, .size = TEXT, .bold = entry->total, .anchor_x = 1, .anchor_y = 0.5},
                    place[2], y);
+        if (entry->what.block != TINKER_NO_BLOCK)
+            add_spot(drawing, entry, value, (double[]){place[0], y, place[2], row});
     }
 }
 
@@ -306,6 +325,15 @@ static char *title_of(const Drawing *drawing)
     return g_strdup_printf(_("Books of %s, from %s to %s"), names->str, from, to);
 }
 
+static gboolean any_is_lit(const TinkerBooksPicture *picture)
+{
+    for (guint i = 0; i < picture->books->entries->len; i++) {
+        const TinkerPointed thing = thing_of(picture, &g_array_index(picture->books->entries, TinkerBookEntry, i));
+        if (tinker_pointed_lights(picture->lit, &thing)) return TRUE;
+    }
+    return FALSE;
+}
+
 /* Names and the interval, in two lines where one is too short; answers how high it is. */
 static double draw_title(Drawing *drawing, double width)
 {
@@ -327,6 +355,7 @@ void tinker_books_draw(cairo_t *cairo, double width, double height, void *data)
     const double top = 1.5 * EDGE + draw_title(&drawing, width), column = (width - 2 * EDGE * columns) / columns,
                  line = (height - top) * columns / ACCOUNTS;
     drawing.name_room = name_room_of(&drawing, column);
+    drawing.some_lit = any_is_lit(drawing.picture);
     for (int which = 0; which < ACCOUNTS; which++) {
         const double left = EDGE + (which % columns) * (column + 2 * EDGE), above = top + (which / columns) * line;
         draw_account(&drawing, (Which)which, (double[]){left, above, left + column, above + line - EDGE / 2});

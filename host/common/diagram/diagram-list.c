@@ -9,6 +9,7 @@
 #define NARROW    560.0 /* canvas units: below it partners are left out, */
 #define NARROWEST 330.0 /* and below this what is along x and y */
 #define INDENT    14.0  /* of names, behind the colour of their arrow */
+#define LIT       0.2   /* of its colour, the ground of what is pointed at */
 #define GAP       8.0   /* from a name to what stands behind it */
 
 /* The list --------------------------------------------------------------------------------------------------------- */
@@ -19,8 +20,9 @@ typedef struct {
     const double *colour; /* NULL: none */
     char *texts[COLUMNS];
     gboolean bold;
-    int lines;   /* that it may take; 0 is one */
-    double room; /* canvas units: for its name */
+    int lines;                    /* that it may take; 0 is one */
+    double room;                  /* canvas units: for its name */
+    const TinkerDiagramForce *of; /* NULL: of none */
 } ListRow;
 
 static void list_row_clear(gpointer data)
@@ -31,23 +33,27 @@ static void list_row_clear(gpointer data)
 }
 
 static void add_row(const DiagramDrawing *drawing, GArray *rows, char *name, const double force[2],
-                    const double *colour, char *partner)
+                    const double *colour, char *partner, const TinkerDiagramForce *of)
 {
     const double least = NOTHING * diagram_greatest_force(drawing->picture->diagram);
     double shown[2]; /* without what rounding leaves */
     for (int axis = 0; axis < 2; axis++)
         shown[axis] = fabs(force[axis]) > least ? force[axis] : 0;
-    const ListRow row = {colour,
-                         {name, diagram_force_text(drawing, shown[0]), diagram_force_text(drawing, shown[1]),
-                          diagram_force_text(drawing, diagram_strength(force)), partner}};
+    const ListRow row = {.colour = colour,
+                         .texts = {name, diagram_force_text(drawing, shown[0]), diagram_force_text(drawing, shown[1]),
+                                   diagram_force_text(drawing, diagram_strength(force)), partner},
+                         .of = of};
     g_array_append_val(rows, row);
 }
 
 /* What turns a body stands with its size alone. */
-static void add_torque(const DiagramDrawing *drawing, GArray *rows, char *name, double torque, const double *colour)
+static void add_torque(const DiagramDrawing *drawing, GArray *rows, char *name, double torque, const double *colour,
+                       const TinkerDiagramForce *of)
 {
-    const ListRow row = {colour,
-                         {name, g_strdup(""), g_strdup(""), diagram_torque_text(drawing, torque), g_strdup("")}};
+    const ListRow row = {
+        .colour = colour,
+        .texts = {name, g_strdup(""), g_strdup(""), diagram_torque_text(drawing, torque), g_strdup("")},
+        .of = of};
     g_array_append_val(rows, row);
 }
 
@@ -60,7 +66,7 @@ static void add_torques(const DiagramDrawing *drawing, GArray *rows)
             drawing->numbered ? g_strdup_printf("%u  ", drawing->forces->len + i + 1) : g_strdup("");
         g_autofree char *name = g_strdup_printf(_("%s, torque"), from);
         add_torque(drawing, rows, g_strconcat(number, name, NULL), torque->torque,
-                   tinker_arrow_colour(drawing->picture->theme, diagram_arrow_kind(torque->kind)));
+                   tinker_arrow_colour(drawing->picture->theme, diagram_arrow_kind(torque->kind)), torque);
     }
 }
 
@@ -142,7 +148,7 @@ static GArray *list_of(DiagramDrawing *drawing, double width, ListChoice choice)
     for (guint i = 0; i < drawing->forces->len && i < most; i++) {
         const TinkerDiagramForce *force = &g_array_index(drawing->forces, TinkerDiagramForce, i);
         add_row(drawing, rows, name_of(drawing, i), force->force,
-                tinker_arrow_colour(theme, diagram_arrow_kind(force->kind)), partner_of(drawing, force));
+                tinker_arrow_colour(theme, diagram_arrow_kind(force->kind)), partner_of(drawing, force), force);
     }
     if (drawing->forces->len > most) {
         const ListRow more = {NULL, {g_strdup_printf(_("and %u more"), drawing->forces->len - most)}};
@@ -153,10 +159,10 @@ static GArray *list_of(DiagramDrawing *drawing, double width, ListChoice choice)
         static const double none[2] = {0, 0};
         add_row(drawing, rows, g_strdup(width < NARROWEST ? "= m a" : _("together = m a")),
                 diagram_has_resultant(diagram) ? diagram->kinetic : none,
-                tinker_arrow_colour(theme, TINKER_ARROW_MOTION), g_strdup(""));
+                tinker_arrow_colour(theme, TINKER_ARROW_MOTION), g_strdup(""), NULL);
         if (!isnan(diagram->inertia))
             add_torque(drawing, rows, g_strdup("I α"), diagram_has_turning(diagram) ? diagram->turning : 0,
-                       tinker_arrow_colour(theme, TINKER_ARROW_MOTION));
+                       tinker_arrow_colour(theme, TINKER_ARROW_MOTION), NULL);
     }
     g_autoptr(GPtrArray) notes = diagram_notes(drawing);
     for (guint i = 0; choice.notes && i < notes->len; i++) {
@@ -181,9 +187,31 @@ double diagram_list_height(DiagramDrawing *drawing, double width)
     return height_of(rows);
 }
 
+/* What the row says, and where it is. */
+static void add_spot(DiagramDrawing *drawing, const ListRow *row, double width, double y)
+{
+    const double half = DIAGRAM_ROW * MAX(row->lines, 1) / 2, box[] = {0, y - half, width, y + half};
+    g_autofree char *name = diagram_force_name(drawing, row->of);
+    g_autofree char *text = g_strdup_printf("%s  %s", name, row->texts[SIZE]);
+    tinker_spots_add_box(drawing->picture->spots, box, diagram_pointed(row->of), text);
+}
+
+/* The ground of what is pointed at. */
+static void draw_lit(DiagramDrawing *drawing, double width, double y, double height)
+{
+    const double *colour = drawing->picture->theme->colours[TINKER_COLOUR_SELECTED];
+    cairo_set_source_rgba(drawing->cairo, colour[0], colour[1], colour[2], LIT);
+    cairo_rectangle(drawing->cairo, DIAGRAM_EDGE / 2, y - height / 2, width - DIAGRAM_EDGE, height);
+    cairo_fill(drawing->cairo);
+}
+
 static void draw_row(DiagramDrawing *drawing, const ListRow *row, double width, double y)
 {
     const double *ends = ends_of(width);
+    const TinkerPointed thing = row->of != NULL ? diagram_pointed(row->of) : tinker_pointed_block(TINKER_NO_BLOCK);
+    if (tinker_pointed_lights(drawing->picture->lit, &thing))
+        draw_lit(drawing, width, y, DIAGRAM_ROW * MAX(row->lines, 1));
+    if (row->of != NULL && drawing->picture->spots != NULL) add_spot(drawing, row, width, y);
     const gboolean whole = row->texts[ALONG_X] == NULL;
     if (row->colour != NULL) {
         diagram_set_colour(drawing->cairo, row->colour);
@@ -224,7 +252,9 @@ void diagram_draw_list(DiagramDrawing *drawing, const double place[4])
     for (guint i = 0; i < rows->len; i++) {
         const ListRow *row = &g_array_index(rows, ListRow, i);
         const double height = DIAGRAM_ROW * MAX(row->lines, 1);
+        cairo_save(drawing->cairo);
         draw_row(drawing, row, width, y + height / 2);
+        cairo_restore(drawing->cairo);
         y += height;
     }
     g_array_unref(rows);

@@ -3,6 +3,7 @@
 #include <glib/gi18n.h>
 #include <math.h>
 
+#include "common/diagram/diagram-picture.h"
 #include "gui/widget/unparent.h"
 
 #define LINE_GAP 4
@@ -201,7 +202,7 @@ static void add_left(TinkerEquationRow *row, TinkerDocument *document, const Tin
 {
     g_autofree char *mathml = g_strconcat(shown->left, "<mo>=</mo>", NULL);
     g_autofree char *reading = g_strdup_printf(_("%s equals"), spoken->left);
-    GtkWidget *left = tinker_equation_term_new(document, shown->block, mathml, reading);
+    GtkWidget *left = tinker_equation_term_new(document, tinker_pointed_block(shown->block), mathml, reading);
     gtk_widget_set_parent(left, GTK_WIDGET(row));
 }
 
@@ -213,6 +214,13 @@ static void tell_kind(GtkWidget *term, TinkerTermKind kind)
     g_autofree char *text =
         g_strdup_printf(kind == TINKER_TERM_NORMAL ? _("%s: normal force N") : _("%s: friction f"), name);
     gtk_widget_set_tooltip_text(term, text);
+}
+
+/* Of a body's equation the force on it; of a law all that comes from its block. */
+static TinkerPointed pointed_of(const TinkerEquationLine *line, const TinkerLineTerm *term)
+{
+    if (line->component < 0) return tinker_pointed_block(term->block);
+    return tinker_diagram_pointed(term->block, line->block, term->kind);
 }
 
 GtkWidget *tinker_equation_row_new(TinkerDocument *document, const TinkerEquationLine *shown,
@@ -227,7 +235,7 @@ GtkWidget *tinker_equation_row_new(TinkerDocument *document, const TinkerEquatio
         const TinkerLineTerm *reading = &g_array_index(spoken->terms, TinkerLineTerm, i);
         /* what stands before a sign keeps room around it */
         g_autofree char *mathml = g_strconcat(i > 0 ? "<mrow></mrow>" : "", term->text, NULL);
-        GtkWidget *widget = tinker_equation_term_new(document, term->block, mathml, reading->text);
+        GtkWidget *widget = tinker_equation_term_new(document, pointed_of(shown, term), mathml, reading->text);
         const Term one = {TINKER_EQUATION_TERM(widget), term->block, term->kind};
         tell_kind(widget, term->kind);
         gtk_widget_set_parent(widget, GTK_WIDGET(row));
