@@ -101,9 +101,10 @@ static const char *text_of(int32_t property, void *data)
     return property == typed->property ? typed->typed : tinker_scene_text_of(property, &typed->texts);
 }
 
-static void show_law(TinkerLawPreview *preview, const TinkerPropertyType *type, const TinkerExpression *law,
-                     const char *note)
+static void show_law(TinkerLawPreview *preview, const TinkerBlockClass *block_class, int32_t property,
+                     const TinkerExpression *law, const char *note)
 {
+    const TinkerPropertyType *type = &block_class->properties[property];
     TinkerEquationLine *shown = line_new(type, law, TINKER_TYPESET_MATHML),
                        *spoken = line_new(type, law, TINKER_TYPESET_SPEECH);
     preview->law = tinker_equation_row_new(preview->document, shown, spoken);
@@ -111,7 +112,7 @@ static void show_law(TinkerLawPreview *preview, const TinkerPropertyType *type, 
     line_free(shown);
     line_free(spoken);
     if (note == NULL) return;
-    g_autofree char *sentence = tinker_sentence(note);
+    g_autofree char *titled = tinker_with_titles(note, block_class), *sentence = tinker_sentence(titled);
     preview->note = tinker_equation_label(sentence, "caption");
     gtk_widget_add_css_class(preview->note, "warning");
     gtk_widget_set_parent(preview->note, GTK_WIDGET(preview));
@@ -145,7 +146,7 @@ gboolean tinker_law_preview_show(TinkerLawPreview *preview, const TinkerProperty
     if (g_strcmp0(key, preview->shown) == 0) return TRUE;
     clear(preview);
     preview->shown = g_steal_pointer(&key);
-    show_law(preview, &block_class->properties[row->property], law, note);
+    show_law(preview, block_class, row->property, law, note);
     return TRUE;
 }
 
