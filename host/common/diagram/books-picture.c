@@ -15,7 +15,7 @@
 #define MOST_ROW   22.0
 #define LEAST_ROW  15.0
 #define BAR        0.62 /* of a row */
-#define VALUE_ROOM 112.0
+#define VALUE_GAP  12.0 /* between bars and values */
 #define LEAST_BARS 90.0 /* that names leave to the bars */
 
 #define NARROW 600.0 /* canvas units: below it accounts stand in one column */
@@ -41,8 +41,8 @@ typedef struct {
     const TinkerBooksPicture *picture;
     cairo_t *cairo;
     TinkerTextPen pen;
-    double name_room;  /* canvas units: of all accounts, so that their bars begin alike */
-    gboolean some_lit; /* others are faded */
+    double name_room, value_room; /* canvas units: of all accounts, so that their bars begin and end alike */
+    gboolean some_lit;            /* others are faded */
 } Drawing;
 
 static void entry_clear(gpointer data)
@@ -137,6 +137,22 @@ static TinkerPointed thing_of(const TinkerBooksPicture *picture, const TinkerBoo
     return thing;
 }
 
+/* What rounding alone may leave: of work, which may be 0 where forces are large, also by their moments. */
+static double rounding_of(const TinkerBooks *books, Which which, double scale)
+{
+    const double interval = books->to - books->from;
+    if (which == ENERGY && interval > 0) scale = fmax(scale, books->moment.scale / interval);
+    return NOTHING * scale;
+}
+
+static void drop_rounding(Account *account, double rounding)
+{
+    for (guint i = 0; i < account->entries->len; i++) {
+        Entry *entry = &g_array_index(account->entries, Entry, i);
+        if (fabs(entry->value) <= rounding) entry->value = 0;
+    }
+}
+
 static Account account_of(const TinkerBooksPicture *picture, Which which)
 {
     static const TinkerDimension dimensions[ACCOUNTS] = {TINKER_DIMENSION_FORCE,  TINKER_DIMENSION_FORCE,
@@ -159,6 +175,7 @@ static Account account_of(const TinkerBooksPicture *picture, Which which)
         g_array_append_val(account.entries, one);
     }
     add_total(&account, which <= FORCE_Y ? _("= m a") : _("= after"), totals[1]);
+    drop_rounding(&account, rounding_of(books, which, account.balance->scale));
     return account;
 }
 
@@ -167,7 +184,7 @@ static void gather(Account *account, guint most)
 {
     double rest = 0;
     guint gathered = 0;
-    while (account->entries->len > MAX(most, 4)) {
+    while (account->entries->len + (gathered > 0) > MAX(most, 4)) {
         guint least = 0;
         for (guint i = 0; i < account->entries->len; i++) {
             const Entry *entry = &g_array_index(account->entries, Entry, i);
@@ -177,7 +194,6 @@ static void gather(Account *account, guint most)
         rest += g_array_index(account->entries, Entry, least).value;
         g_array_remove_index(account->entries, least);
         gathered++;
-        if (account->entries->len + 1 <= MAX(most, 4)) break;
     }
     if (gathered == 0) return;
     const Entry others = {g_strdup_printf(_("%u others"), gathered), rest, FALSE,
@@ -241,7 +257,7 @@ static void draw_entries(Drawing *drawing, const Account *account, const double 
 {
     double range[2];
     g_autofree double *bars = bars_of(account, range);
-    const double from = place[0] + drawing->name_room, to = place[2] - VALUE_ROOM;
+    const double from = place[0] + drawing->name_room, to = place[2] - drawing->value_room;
     const double unit = range[1] > range[0] ? (to - from) / (range[1] - range[0]) : 0;
     const double zero = from - unit * range[0];
     draw_step(drawing, zero, place[1], row * account->entries->len);
@@ -249,9 +265,8 @@ static void draw_entries(Drawing *drawing, const Account *account, const double 
         const Entry *entry = &g_array_index(account->entries, Entry, i);
         const double y = place[1] + row * (i + 0.5),
                      ends[2] = {zero + unit * bars[2 * i], zero + unit * bars[2 * i + 1]};
-        const gboolean nothing = fabs(entry->value) <= NOTHING * account->balance->scale;
-        g_autofree char *value = quantity(drawing, nothing ? 0 : entry->value, account->dimension);
-        if (!nothing) draw_bar(drawing, entry, ends, y, BAR * row);
+        g_autofree char *value = quantity(drawing, entry->value, account->dimension);
+        if (entry->value != 0) draw_bar(drawing, entry, ends, y, BAR * row);
         if (i + 1 < account->entries->len) draw_step(drawing, ends[1], y, row);
         write_text(drawing,
                    (TinkerText){.text = entry->name,
@@ -294,22 +309,31 @@ static void draw_account(Drawing *drawing, Which which, const double place[4])
     g_array_unref(account.entries);
 }
 
-/* As much as the longest name takes, as long as bars and values have theirs. */
-static double name_room_of(Drawing *drawing, double width)
+static double width_of(Drawing *drawing, const char *text, gboolean bold)
 {
-    double longest = 0, height, each;
+    const TinkerText one = {.text = text, .size = TEXT, .bold = bold};
+    double width, height;
+    tinker_text_measure(&drawing->pen, &one, &width, &height);
+    return width;
+}
+
+/* Values have the room that the longest takes, names as much as bars leave them. */
+static void choose_rooms(Drawing *drawing, double width)
+{
+    double name = 0, value = 0;
     for (int which = 0; which < ACCOUNTS; which++) {
         Account account = account_of(drawing->picture, (Which)which);
         for (guint i = 0; i < account.entries->len; i++) {
             const Entry *entry = &g_array_index(account.entries, Entry, i);
-            const TinkerText name = {.text = entry->name, .size = TEXT, .bold = entry->total};
-            tinker_text_measure(&drawing->pen, &name, &each, &height);
-            longest = fmax(longest, each);
+            g_autofree char *text = quantity(drawing, entry->value, account.dimension);
+            name = fmax(name, width_of(drawing, entry->name, entry->total));
+            value = fmax(value, width_of(drawing, text, entry->total));
         }
         g_free(account.title);
         g_array_unref(account.entries);
     }
-    return fmin(longest + EDGE, fmax(width - VALUE_ROOM - LEAST_BARS, width / 4));
+    drawing->value_room = value + VALUE_GAP;
+    drawing->name_room = fmin(name + EDGE, fmax(width - drawing->value_room - LEAST_BARS, width / 4));
 }
 
 static char *title_of(const Drawing *drawing)
@@ -354,7 +378,7 @@ void tinker_books_draw(cairo_t *cairo, double width, double height, void *data)
     cairo_paint(cairo);
     const double top = 1.5 * EDGE + draw_title(&drawing, width), column = (width - 2 * EDGE * columns) / columns,
                  line = (height - top) * columns / ACCOUNTS;
-    drawing.name_room = name_room_of(&drawing, column);
+    choose_rooms(&drawing, column);
     drawing.some_lit = any_is_lit(drawing.picture);
     for (int which = 0; which < ACCOUNTS; which++) {
         const double left = EDGE + (which % columns) * (column + 2 * EDGE), above = top + (which / columns) * line;

@@ -111,6 +111,26 @@ static const double *ends_of(double width)
     return width < NARROWEST ? narrowest : width < NARROW ? narrow : wide;
 }
 
+/* Canvas units: where columns end or begin, at their places as long as no number reaches into another: then those
+ * before it make way to the left. */
+static void place_columns(DiagramDrawing *drawing, const GArray *rows, double width, double places[COLUMNS])
+{
+    const double *ends = ends_of(width);
+    double next = width;
+    for (int k = 0; k < COLUMNS; k++)
+        places[k] = ends[k] < 0 ? -1 : ends[k] * width;
+    for (int k = SIZE; k >= ALONG_X; k--) {
+        double widest = 0;
+        if (places[k] < 0) continue;
+        for (guint i = 0; i < rows->len; i++) {
+            const ListRow *row = &g_array_index(rows, ListRow, i);
+            if (row->texts[k] != NULL) widest = fmax(widest, diagram_text_width(drawing, row->texts[k], row->bold));
+        }
+        places[k] = fmin(places[k], next);
+        next = places[k] - widest - GAP;
+    }
+}
+
 /* Canvas units: of the column of partners. */
 static double partner_room(double width)
 {
@@ -120,17 +140,18 @@ static double partner_room(double width)
 /* A name has the room up to the first number of its row; it, and a partner, have two lines where they are longer. */
 static void fit_names(DiagramDrawing *drawing, GArray *rows, double width)
 {
-    const double *ends = ends_of(width);
+    double places[COLUMNS];
+    place_columns(drawing, rows, width, places);
     for (guint i = 0; i < rows->len; i++) {
         ListRow *row = &g_array_index(rows, ListRow, i);
         double end = width;
         if (row->texts[ALONG_X] == NULL) continue; /* a note */
         for (int k = ALONG_X; k <= SIZE; k++)
-            if (ends[k] >= 0 && row->texts[k][0] != '\0')
-                end = fmin(end, ends[k] * width - diagram_text_width(drawing, row->texts[k], row->bold));
+            if (places[k] >= 0 && row->texts[k][0] != '\0')
+                end = fmin(end, places[k] - diagram_text_width(drawing, row->texts[k], row->bold));
         row->room = fmax(end - DIAGRAM_EDGE - INDENT - GAP, 1);
         const gboolean long_partner =
-            ends[PARTNER] >= 0 && diagram_text_width(drawing, row->texts[PARTNER], row->bold) > partner_room(width);
+            places[PARTNER] >= 0 && diagram_text_width(drawing, row->texts[PARTNER], row->bold) > partner_room(width);
         const gboolean long_name = diagram_text_width(drawing, row->texts[NAME], row->bold) > row->room;
         row->lines = long_name || long_partner ? 2 : 1;
     }
@@ -205,9 +226,8 @@ static void draw_lit(DiagramDrawing *drawing, double width, double y, double hei
     cairo_fill(drawing->cairo);
 }
 
-static void draw_row(DiagramDrawing *drawing, const ListRow *row, double width, double y)
+static void draw_row(DiagramDrawing *drawing, const ListRow *row, const double places[COLUMNS], double width, double y)
 {
-    const double *ends = ends_of(width);
     const TinkerPointed thing = row->of != NULL ? diagram_pointed(row->of) : tinker_pointed_block(TINKER_NO_BLOCK);
     if (tinker_pointed_lights(drawing->picture->lit, &thing))
         draw_lit(drawing, width, y, DIAGRAM_ROW * MAX(row->lines, 1));
@@ -220,7 +240,7 @@ static void draw_row(DiagramDrawing *drawing, const ListRow *row, double width, 
     }
     for (int k = 0; k < COLUMNS; k++) {
         const gboolean number = k >= ALONG_X && k <= SIZE;
-        if (row->texts[k] == NULL || ends[k] < 0) continue;
+        if (row->texts[k] == NULL || places[k] < 0) continue;
         const double limit = whole          ? width - 2 * DIAGRAM_EDGE
                              : k == NAME    ? row->room
                              : k == PARTNER ? partner_room(width)
@@ -233,7 +253,7 @@ static void draw_row(DiagramDrawing *drawing, const ListRow *row, double width, 
                                    .lines = number ? 1 : row->lines,
                                    .anchor_x = number,
                                    .anchor_y = 0.5},
-                      k == NAME ? DIAGRAM_EDGE + (whole ? 0 : INDENT) : ends[k] * width, y);
+                      k == NAME ? DIAGRAM_EDGE + (whole ? 0 : INDENT) : places[k], y);
     }
 }
 
@@ -248,12 +268,13 @@ void diagram_draw_list(DiagramDrawing *drawing, const double place[4])
         g_array_unref(rows);
         rows = list_of(drawing, width, choice);
     }
-    double y = place[1];
+    double y = place[1], places[COLUMNS];
+    place_columns(drawing, rows, width, places);
     for (guint i = 0; i < rows->len; i++) {
         const ListRow *row = &g_array_index(rows, ListRow, i);
         const double height = DIAGRAM_ROW * MAX(row->lines, 1);
         cairo_save(drawing->cairo);
-        draw_row(drawing, row, width, y + height / 2);
+        draw_row(drawing, row, places, width, y + height / 2);
         cairo_restore(drawing->cairo);
         y += height;
     }

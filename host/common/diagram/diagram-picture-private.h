@@ -43,6 +43,7 @@ typedef struct {
 typedef struct {
     double at[2], least, labels[4];
     guint count;
+    gboolean bare; /* the resultant is without its value, which the list has */
 } DiagramTurns;
 
 void diagram_begin(DiagramDrawing *drawing, const TinkerDiagramPicture *picture, cairo_t *cairo);
