@@ -125,6 +125,7 @@ static void replace(TinkerDocument *document, TinkerScene *scene, const TinkerDo
     emit(document, REPLACED);
     tinker_scene_free(last);
     emit(document, SELECTION_CHANGED);
+    tinker_document_point(document, tinker_pointed_block(TINKER_NO_BLOCK));
     emit(document, CHANGED);
     emit(document, FILE_CHANGED);
 }

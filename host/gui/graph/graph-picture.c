@@ -25,16 +25,12 @@ TinkerBlockId tinker_graph_plot_block(TinkerGraphPlot *plot, guint curve)
 /* Curves of other blocks than what is pointed at, where there is one of it. */
 static void fade_others(TinkerGraphPlot *plot, TinkerPlot *picture)
 {
-    const TinkerBlockId pointed = tinker_document_pointed(tinker_graph_data_document(plot->data))->block;
     const int own = MIN((int)tinker_graph_data_curves(plot->data), picture->curve_count);
-    gboolean some_lit = FALSE;
-    for (int i = 0; i < own && pointed != TINKER_NO_BLOCK; i++)
-        some_lit = some_lit || tinker_graph_plot_block(plot, (guint)i) == pointed;
-    if (!some_lit) return;
+    if (plot->lit == TINKER_NO_BLOCK) return;
     g_free(plot->curves);
     plot->curves = g_memdup2(picture->curves, (gsize)picture->curve_count * sizeof *plot->curves);
     for (int i = 0; i < own; i++)
-        plot->curves[i].faded = tinker_graph_plot_block(plot, (guint)i) != pointed;
+        plot->curves[i].faded = tinker_graph_plot_block(plot, (guint)i) != plot->lit;
     picture->curves = plot->curves;
 }
 

@@ -36,6 +36,7 @@ struct _TinkerGraphPlot {
     double drag_start[2], drag_now[2];
 
     TinkerCurve *curves; /* of the picture, where some are faded */
+    TinkerBlockId lit;   /* what is pointed at, where it has a curve; else TINKER_NO_BLOCK */
 
     TinkerGraphReading cursors[2];
     int cursor_count;
@@ -66,8 +67,10 @@ TinkerGraphAxes tinker_graph_box_axes(const TinkerGraphPlot *plot);
 
 void tinker_graph_plot_add_input(TinkerGraphPlot *plot);
 
-/* graph-point.c: points in the document at the block of the curve, or of the legend's entry, at a place, or at nothing.
+/* graph-point.c: follows what is pointed at; points in the document at the block of the curve, or of the legend's
+ * entry, at a place, or at nothing.
  */
+void tinker_graph_plot_follow_pointing(TinkerGraphPlot *plot);
 void tinker_graph_plot_point_at(TinkerGraphPlot *plot, double x, double y);
 void tinker_graph_plot_point_away(TinkerGraphPlot *plot);
 

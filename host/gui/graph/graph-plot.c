@@ -197,7 +197,7 @@ GtkWidget *tinker_graph_plot_new(TinkerDocument *document, TinkerPlayer *player)
     plot->player = g_object_ref(player);
     plot->data = tinker_graph_data_new(document, player);
     tinker_graph_plot_add_input(plot);
-    g_signal_connect_object(document, "pointed-changed", G_CALLBACK(tinker_graph_plot_renew), plot, G_CONNECT_SWAPPED);
+    tinker_graph_plot_follow_pointing(plot);
     g_signal_connect_object(player, "moved", G_CALLBACK(gtk_widget_queue_draw), plot, G_CONNECT_SWAPPED);
     g_signal_connect_object(player, "state-changed", G_CALLBACK(gtk_widget_queue_draw), plot, G_CONNECT_SWAPPED);
     tinker_desktop_theme_redraws(GTK_WIDGET(plot));

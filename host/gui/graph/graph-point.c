@@ -52,3 +52,22 @@ void tinker_graph_plot_point_away(TinkerGraphPlot *plot)
 {
     tinker_document_point(tinker_graph_data_document(plot->data), tinker_pointed_block(TINKER_NO_BLOCK));
 }
+
+/* Drawn anew only where that changes something. */
+static void on_pointed(TinkerGraphPlot *plot)
+{
+    const TinkerBlockId pointed = tinker_document_pointed(tinker_graph_data_document(plot->data))->block;
+    TinkerBlockId lit = TINKER_NO_BLOCK;
+    for (guint i = 0; i < tinker_graph_data_curves(plot->data) && pointed != TINKER_NO_BLOCK; i++)
+        if (tinker_graph_plot_block(plot, i) == pointed) lit = pointed;
+    if (lit == plot->lit) return;
+    plot->lit = lit;
+    tinker_graph_plot_renew(plot);
+}
+
+void tinker_graph_plot_follow_pointing(TinkerGraphPlot *plot)
+{
+    plot->lit = TINKER_NO_BLOCK;
+    g_signal_connect_object(tinker_graph_data_document(plot->data), "pointed-changed", G_CALLBACK(on_pointed), plot,
+                            G_CONNECT_SWAPPED);
+}
