@@ -51,7 +51,8 @@ typedef struct {
 /* left = matrix, in brackets; `left` and `comment` are taken over. write-entries.c. */
 void tinker_page_matrix(TinkerPage *page, char *left, const TinkerPageMatrix *matrix, char *comment);
 /* Adds the summands of factor times variable (NULL: 1) as terms, each of the block that its symbols are of, what acts
- * before what it acts on; the value of them all, times that of the variable, goes to the first. write-entries.c. */
+ * before what it acts on; the value of them all, times that of the variable, goes to the first, unless it is the number
+ * 0. write-entries.c. */
 void tinker_page_add_terms(const TinkerPage *page, GArray *terms, const TinkerExpression *factor, const char *variable,
                            double variable_value, TinkerDimension dimension);
 /* The entries of a matrix that is too large to be written, by their kinds; write-patterns.c. */

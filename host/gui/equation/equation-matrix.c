@@ -49,7 +49,8 @@ void tinker_equation_terms_show_values(GtkWidget *first, const GArray *terms, Ti
         const TinkerLineTerm *term = terms != NULL && i < terms->len ? &g_array_index(terms, TinkerLineTerm, i) : NULL;
         const gboolean shows = term != NULL && term->has_value && isfinite(term->value);
         g_autofree char *size = shows ? tinker_quantity_brief(fabs(term->value), term->dimension, units) : NULL;
-        g_autofree char *text = shows ? g_strconcat(term->value < 0 ? "−" : "", size, NULL) : NULL;
+        const gboolean is_sum = shows && i + 1 < terms->len && !g_array_index(terms, TinkerLineTerm, i + 1).has_value;
+        g_autofree char *text = shows ? g_strconcat(is_sum ? "Σ " : "", term->value < 0 ? "−" : "", size, NULL) : NULL;
         tinker_equation_term_show_value(TINKER_EQUATION_TERM(child), shows);
         tinker_equation_term_set_value(TINKER_EQUATION_TERM(child), text, tell);
     }

@@ -17,7 +17,7 @@ GtkWidget *tinker_equation_matrix_new(TinkerDocument *document, const TinkerEqua
 void tinker_equation_matrix_show_values(TinkerEquationMatrix *matrix, const TinkerEquationLine *line,
                                         TinkerUnitSystem units, gboolean tell);
 
-/* Terms in a list of them, beneath which their values are shown, or not. */
+/* Terms in a list of them, beneath which their values are shown, or not; beneath the first of several their sum. */
 void tinker_equation_terms_show_values(GtkWidget *first, const GArray *terms, TinkerUnitSystem units, gboolean tell);
 
 #endif

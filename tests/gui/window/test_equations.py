@@ -219,7 +219,7 @@ def test_matrices(display):
         app.click("Equations", role="tab")
         app.choose_from(app.find("combo box", "Form of Equations"), "Matrix")
         app.find("image", "K equals")
-        for name, beneath in (("One: row 1, column 1: m", "2 kg"), ("Near: row 1, column 1: k", "75 N/m"),
+        for name, beneath in (("One: row 1, column 1: m", "2 kg"), ("Near: row 1, column 1: k", "Σ 75 N/m"),
                               ("Far: row 1, column 2: minus k", "−50 N/m"), ("Brake: row 2, column 2: c", "3 N·s/m")):
             found = re.compile(f"^{name}( one| two|$)")
             app.find("image", found)
