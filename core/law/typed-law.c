@@ -1,6 +1,7 @@
 /* Typed laws. */
 #include "law/typed-law.h"
 
+#include <glib/gi18n-lib.h>
 #include <string.h>
 
 #include "law/derivative.h"
@@ -58,7 +59,7 @@ TinkerExpression *tinker_typed_parse(const TinkerBlockClass *block_class, int32_
     if (expression == NULL || !names_time_in_vain(expression, &block_class->properties[property])) return expression;
     tinker_expression_unref(expression);
     g_set_error(error, TINKER_WAVEFORM_ERROR, TINKER_WAVEFORM_ERROR_SYNTAX,
-                "\"%s\" names t, which %s does not depend on", text, block_class->properties[property].id);
+                _("\"%s\" names t, which %s does not depend on"), text, block_class->properties[property].id);
     return NULL;
 }
 
@@ -83,8 +84,8 @@ static TinkerExpression *number_of(const char *name, void *data)
     numbers->failed = text[0] == '\0' || !tinker_any_quantity_parse(text, &si, &dimension, numbers->error);
     if (text[0] == '\0')
         g_set_error(numbers->error, TINKER_WAVEFORM_ERROR, TINKER_WAVEFORM_ERROR_SYNTAX,
-                    "%s names %s, which has no value (give \"%s\" a number, with a unit or without)", numbers->type->id,
-                    name, name);
+                    _("%s names %s, which has no value (give \"%s\" a number, with a unit or without)"),
+                    numbers->type->id, name, name);
     else if (numbers->failed)
         g_prefix_error(numbers->error, "%s: ", name);
     return numbers->failed ? NULL : tinker_expression_number(si);
@@ -127,7 +128,7 @@ TinkerTypedLaw *tinker_typed_new(const TinkerBlockClass *block_class, int32_t pr
     if (compile_all(formula, is, type)) return formula;
     tinker_typed_free(formula);
     g_set_error(error, TINKER_WAVEFORM_ERROR, TINKER_WAVEFORM_ERROR_SYNTAX,
-                "%s and its derivatives are too long to be compiled (about a tenth of that can be)", type->id);
+                _("%s and its derivatives are too long to be compiled (about a tenth of that can be)"), type->id);
     return NULL;
 }
 
@@ -170,8 +171,8 @@ char *tinker_typed_note(const TinkerBlockClass *block_class, int32_t property, T
     TinkerLawDimension found;
     g_autofree char *why = NULL, *law = tinker_law_dimension_text(&expected);
     if (!tinker_expression_dimension(is, unit_of, &units, &found, &why))
-        return g_strdup_printf("%s has %s: taken in SI", type->id, why);
+        return g_strdup_printf(_("%s has %s: taken in SI"), type->id, why);
     if (tinker_law_dimension_is(&found, wanted)) return NULL;
     g_autofree char *given = tinker_law_dimension_text(&found);
-    return g_strdup_printf("%s is in %s where %s was expected: taken in SI", type->id, given, law);
+    return g_strdup_printf(_("%s is in %s where %s was expected: taken in SI"), type->id, given, law);
 }

@@ -326,6 +326,42 @@ static void test_scale(void)
     g_assert_cmpfloat(tinker_diagram_greatest_to_scale(two, 2), ==, 500);
 }
 
+/* A bar at rest, held by a pin and a torsional spring against its weight: forces and moments have their bars, but
+ * nothing does work, however large what rounding leaves of it may be drawn. */
+static void test_books_of_rest(CliFixture *fixture, gconstpointer data)
+{
+    static const char scene[] =
+        SCENE("{\"type\": \"support\", \"name\": \"Wall\", \"solid\": false},"
+              "{\"type\": \"bar\", \"name\": \"Bob\", \"mass\": 1.5, \"position\": [0.6, 0], \"width\": 1.2,"
+              "\"height\": 0.05, \"orientation\": 0, \"solid\": false},"
+              "{\"type\": \"pin\", \"name\": \"Pin\", \"ends\": [{\"block\": \"Wall\", \"at\": [0, 0]},"
+              "{\"block\": \"Bob\", \"at\": [-0.6, 0]}]},"
+              "{\"type\": \"torsional-spring\", \"name\": \"Spring\", \"ends\": [\"Wall\", \"Bob\"],"
+              "\"stiffness\": 30, \"rest_angle\": 0.3}");
+    const TinkerTheme *theme = tinker_theme_find("light");
+    const double *given = theme->colours[TINKER_COLOUR_STRETCHED], *taken = theme->colours[TINKER_COLOUR_COMPRESSED];
+    g_autofree char *path = cli_write(fixture, "scene.json", scene);
+    g_autoptr(TestProgram) drawn =
+        cli_run_well(fixture, "books @scene.json --block Bob --to 1 --size 410x840 -o @b.png");
+    g_autofree char *file = g_build_filename(fixture->folder, "b.png", NULL);
+    cairo_surface_t *whole = cairo_image_surface_create_from_png(file);
+    for (int account = 1; account < 4; account++) { /* along y; work and energy; moments: each a sixth of the picture */
+        cairo_surface_t *part = cairo_surface_create_for_rectangle(whole, 0, 36 + account * 134, 410, 134);
+        cairo_surface_t *copy = cairo_image_surface_create(CAIRO_FORMAT_RGB24, 410, 134 * 5 / 4);
+        cairo_t *cairo = cairo_create(copy);
+        double at[2];
+        cairo_set_source_surface(cairo, part, 0, 0);
+        cairo_paint(cairo);
+        cairo_destroy(cairo);
+        cairo_surface_flush(copy);
+        g_assert_cmpint(find_colour(copy, given, at), ==, account != 2);
+        g_assert_cmpint(find_colour(copy, taken, at), ==, account != 2);
+        cairo_surface_destroy(copy);
+        cairo_surface_destroy(part);
+    }
+    cairo_surface_destroy(whole);
+}
+
 int main(int argc, char **argv)
 {
     g_test_init(&argc, &argv, NULL);
@@ -337,6 +373,7 @@ int main(int argc, char **argv)
     cli_test_add("/cli/diagram-pictures/torque-label", test_torque_label_is_not_crossed);
     cli_test_add("/cli/diagram-pictures/long-title", test_long_title);
     cli_test_add("/cli/diagram-pictures/torque-label-measured", test_torque_label_is_measured);
+    cli_test_add("/cli/diagram-pictures/books-of-rest", test_books_of_rest);
     cli_test_add("/cli/diagram-pictures/endings", test_endings);
     g_test_add_func("/cli/diagram-pictures/scale", test_scale);
     return g_test_run();

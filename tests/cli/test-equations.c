@@ -149,9 +149,62 @@ static void test_pattern(CliFixture *fixture, gconstpointer data)
     g_autofree char *path = cli_write(fixture, "scene.json", scene->str);
     g_autoptr(TestProgram) page = cli_run_well(fixture, "equations @scene.json --form matrix");
     cli_assert_holds(page->output, "10 coordinates");
-    cli_assert_holds(page->output, "M is diagonal, with 10 entries");
+    cli_assert_holds(page->output, "M is diagonal, 10 × 10, with 10 entries");
     cli_assert_holds(page->output, "C is 0");
-    cli_assert_holds(page->output, "K has 28 entries, none farther than 1 from the diagonal");
+    cli_assert_holds(page->output, "K is tridiagonal, 10 × 10, with 28 entries");
+    cli_assert_holds(page->output, "= 2 k   on the diagonal, 9 of 10, ");
+    cli_assert_holds(page->output, "= −k    beside it, −");
+}
+
+/* A chain as above of a thousand masses, with k of two springs in its middle 3 N/m and 4 N/m in the place of 2 N/m: of
+ * the sums on the diagonal all but one look alike, from 2 + 2 N/m to 3 + 4 N/m. The JSON has no matrices of that size.
+ */
+static void test_large_pattern(CliFixture *fixture, gconstpointer data)
+{
+    g_autoptr(GString) scene =
+        g_string_new("{\"tinker\": 1, \"blocks\": [{\"type\": \"support\", \"position\": [0, 0], "
+                     "\"solid\": false, \"name\": \"Wall\"}");
+    for (int i = 1; i <= 1000; i++)
+        g_string_append_printf(scene,
+                               ",{\"type\": \"mass\", \"name\": \"M%d\", \"position\": [%d, 0], \"solid\": false},"
+                               "{\"type\": \"spring\", \"ends\": [\"%s%.0d\", \"M%d\"], \"stiffness\": %d}",
+                               i, i, i == 1 ? "Wall" : "M", i - 1, i,
+                               i == 500   ? 3
+                               : i == 501 ? 4
+                                          : 2);
+    g_string_append(scene, "]}");
+    g_autofree char *path = cli_write(fixture, "scene.json", scene->str);
+    g_autoptr(TestProgram) page = cli_run_well(fixture, "equations @scene.json --form matrix");
+    cli_assert_holds(page->output, "K is tridiagonal, 1000 × 1000, with 2998 entries");
+    cli_assert_holds(page->output, "= 2 k   on the diagonal, 999 of 1000, 4 N/m to 7 N/m");
+    cli_assert_holds(page->output, "= k     on the diagonal, 1 of 1000, 2 N/m");
+    cli_assert_holds(page->output, "= −k    beside it, −4 N/m to −2 N/m");
+    g_autoptr(TestProgram) json = cli_run_well(fixture, "equations @scene.json --form matrix --as json");
+    cJSON *root = cJSON_Parse(json->output);
+    g_assert_cmpint(cJSON_GetArraySize(cJSON_GetObjectItem(root, "islands")), ==, 0);
+    g_assert_cmpint(cJSON_GetArraySize(cJSON_GetObjectItem(root, "why")), ==, 1);
+    cJSON_Delete(root);
+}
+
+/* Two masses, the first between a wall and the second: each matrix stands row by row. */
+static void test_written_matrices(CliFixture *fixture, gconstpointer data)
+{
+    g_autofree char *scene =
+        cli_write(fixture, "scene.json",
+                  "{\"tinker\": 1, \"blocks\": [{\"type\": \"support\", \"position\": [0, 0], \"solid\": false},"
+                  "{\"type\": \"mass\", \"position\": [1, 0]}, {\"type\": \"mass\", \"position\": [3, 0]},"
+                  "{\"type\": \"spring\", \"ends\": [\"Support 0\", \"Mass 0\"]},"
+                  "{\"type\": \"damper\", \"ends\": [\"Mass 0\", \"Mass 1\"]}]}");
+    g_autoptr(TestProgram) page = cli_run_well(fixture, "equations @scene.json --form matrix");
+    cli_assert_holds(page->output, "M = ⎡ m₀   0  ⎤\n      ⎣ 0    m₁ ⎦\n");
+    cli_assert_holds(page->output, "C = ⎡ c    −c ⎤\n      ⎣ −c   c  ⎦\n");
+    cli_assert_holds(page->output, "K = ⎡ k   0 ⎤\n      ⎣ 0   0 ⎦\n");
+    cli_assert_holds(page->output, "f = ⎡ ");
+    g_autoptr(TestProgram) latex = cli_run_well(fixture, "equations @scene.json --form matrix --as latex");
+    cli_assert_holds(latex->output, "\\begin{bmatrix}{k} & 0 \\\\ 0 & 0\\end{bmatrix}");
+    g_autoptr(TestProgram) mathml = cli_run_well(fixture, "equations @scene.json --form matrix --as mathml");
+    cli_assert_holds(mathml->output,
+                     "<mtable><mtr><mtd><mrow><mi>k</mi></mrow></mtd><mtd><mrow><mn>0</mn></mrow></mtd></mtr>");
 }
 
 /* A pendulum, and one whose pivot is shaken up and down, as textbooks have them. */
@@ -335,6 +388,8 @@ int main(int argc, char **argv)
     cli_test_add("/cli/equations/numbers", test_numbers);
     cli_test_add("/cli/equations/json", test_json);
     cli_test_add("/cli/equations/matrix", test_matrix);
+    cli_test_add("/cli/equations/written-matrices", test_written_matrices);
+    cli_test_add("/cli/equations/large-pattern", test_large_pattern);
     cli_test_add("/cli/equations/second-order", test_second_order);
     cli_test_add("/cli/equations/pattern", test_pattern);
     cli_test_add("/cli/equations/angles", test_angles);

@@ -16,8 +16,7 @@
 static GBytes *drawn_at(PlayerFixture *fixture, CanvasForces *forces, double time)
 {
     const TinkerView view = {.scale = 40, .origin_x = SIDE / 2, .origin_y = SIDE / 2, .width = SIDE, .height = SIDE};
-    const CanvasForcesLook look = {
-        .theme = tinker_theme_find("light"), .factor = 1, .lit = TINKER_NO_BLOCK, .forces = TRUE};
+    const CanvasForcesLook look = {.theme = tinker_theme_find("light"), .factor = 1, .forces = TRUE};
     cairo_surface_t *surface = cairo_image_surface_create(CAIRO_FORMAT_ARGB32, SIDE, SIDE);
     cairo_t *cairo = cairo_create(surface);
     g_assert_nonnull(look.theme);
@@ -87,8 +86,25 @@ static void test_label_beside_a_small_body(void)
     }
 }
 
+/* The motor pulls M to the right from (0, 0), 40 canvas units a metre: what lies there is that force, on M alone. */
+static void test_arrow_at_a_place(void)
+{
+    g_autoptr(PlayerFixture) fixture = player_fixture_new(PUSHED);
+    CanvasForces *forces = canvas_forces_new();
+    TinkerScene *scene = tinker_document_scene(fixture->document);
+    g_bytes_unref(drawn_at(fixture, forces, 0));
+    const TinkerSpot *spot = canvas_forces_at(forces, SIDE / 2 + 10, SIDE / 2 + 2, 4);
+    g_assert_nonnull(spot);
+    g_assert_cmpint(spot->what.block, ==, tinker_scene_find_block(scene, "F"));
+    g_assert_cmpint(spot->what.on, ==, tinker_scene_find_block(scene, "M"));
+    g_assert_true(g_str_has_prefix(spot->text, "F "));
+    g_assert_null(canvas_forces_at(forces, SIDE / 2 - 10, SIDE / 2, 4));
+    canvas_forces_free(forces);
+}
+
 static void add_tests(void)
 {
+    g_test_add_func("/canvas-forces/arrow-at-a-place", test_arrow_at_a_place);
     g_test_add_func("/canvas-forces/label-beside-a-small-body", test_label_beside_a_small_body);
     g_test_add_func("/canvas-forces/peak", test_peak);
 }

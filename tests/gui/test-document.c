@@ -272,6 +272,42 @@ static void test_lies_on_what_moves(void)
     }
 }
 
+/* Of one contact the normal force is told from friction, and either from that on another body; all of its block lights
+ * up with it. What is gone is pointed at no more. */
+static void test_pointed(void)
+{
+    g_autoptr(TinkerDocument) document = files_fixture_document();
+    const TinkerBlockId block = tinker_scene_block_at(tinker_document_scene(document), 0);
+    const TinkerPointed nothing = tinker_pointed_block(TINKER_NO_BLOCK), whole = tinker_pointed_block(block);
+    const TinkerPointed normal = {block, 7, TINKER_POINTED_NORMAL}, friction = {block, 7, TINKER_POINTED_FRICTION};
+    const TinkerPointed elsewhere = {block, 8, TINKER_POINTED_NORMAL}, other = tinker_pointed_block(block + 1);
+    const TinkerPointed *pointed = tinker_document_pointed(document);
+    int told = 0;
+    g_signal_connect(document, "pointed-changed", G_CALLBACK(count), &told);
+    g_assert_false(tinker_pointed_lights(pointed, &whole));
+    tinker_document_point(document, normal);
+    tinker_document_point(document, normal);
+    g_assert_cmpint(told, ==, 1);
+    pointed = tinker_document_pointed(document);
+    g_assert_true(tinker_pointed_is_force(pointed));
+    g_assert_true(tinker_pointed_lights(pointed, &normal));
+    g_assert_true(tinker_pointed_lights(pointed, &whole));
+    g_assert_false(tinker_pointed_lights(pointed, &friction));
+    g_assert_false(tinker_pointed_lights(pointed, &elsewhere));
+    g_assert_false(tinker_pointed_lights(pointed, &other));
+    g_assert_false(tinker_pointed_lights(pointed, &nothing));
+    tinker_document_point_away(document, friction);
+    g_assert_cmpint(told, ==, 1);
+    tinker_document_point(document, whole);
+    g_assert_true(tinker_pointed_lights(tinker_document_pointed(document), &friction));
+    tinker_document_point_away(document, whole);
+    g_assert_cmpint(tinker_document_pointed(document)->block, ==, TINKER_NO_BLOCK);
+    tinker_document_point(document, whole);
+    tinker_document_select(document, block);
+    tinker_document_remove_selected(document);
+    g_assert_cmpint(tinker_document_pointed(document)->block, ==, TINKER_NO_BLOCK);
+}
+
 static void add_tests(void)
 {
     g_test_add_func("/gui/document/modified", test_modified);
@@ -284,6 +320,7 @@ static void add_tests(void)
     g_test_add_func("/gui/document/recovered", test_recovered);
     g_test_add_func("/gui/document/interrupted", test_interrupted);
     g_test_add_func("/gui/document/several", test_several);
+    g_test_add_func("/gui/document/pointed", test_pointed);
     g_test_add_func("/gui/document/lies-on-what-moves", test_lies_on_what_moves);
 }
 

@@ -58,7 +58,7 @@ static const Layer layers[] = {
 typedef struct {
     const char *folder;
     const char *rooms[20];
-    const char *face[24];
+    const char *face[28];
 } Rooms;
 
 static const Rooms folders_with_rooms[] = {
@@ -127,29 +127,12 @@ static const Rooms folders_with_rooms[] = {
     {"core/conformance", {"probe", "rule"}, {"rule/conformance.h"}},
     {"host/common",
      {"program", "words", "overlay", "graph", "diagram", "film"},
-     {"program/csv-writer.h",
-      "program/exit-status.h",
-      "program/file-set.h",
-      "program/installation.h",
-      "program/plugin-folders.h",
-      "program/print.h",
-      "program/program-start.h",
-      "words/event-words.h",
-      "words/plan-words.h",
-      "words/trade-words.h",
-      "overlay/force-arrows.h",
-      "overlay/mode-shape.h",
-      "overlay/motion-trail.h",
-      "overlay/motion-vectors.h",
-      "graph/drive-response.h",
-      "graph/graph-axis.h",
-      "graph/graph-names.h",
-      "graph/trade-chart.h",
-      "diagram/books-picture.h",
-      "diagram/diagram-picture.h",
-      "film/film-arrows.h",
-      "film/film-pictures.h",
-      "film/film.h",
+     {"program/csv-writer.h",      "program/exit-status.h",    "program/file-set.h",      "program/installation.h",
+      "program/plugin-folders.h",  "program/print.h",          "program/program-start.h", "words/event-words.h",
+      "words/plan-words.h",        "words/trade-words.h",      "overlay/force-arrows.h",  "overlay/mode-shape.h",
+      "overlay/motion-trail.h",    "overlay/motion-vectors.h", "overlay/pointed.h",       "graph/drive-response.h",
+      "graph/graph-axis.h",        "graph/graph-names.h",      "graph/trade-chart.h",     "diagram/books-picture.h",
+      "diagram/diagram-picture.h", "film/film-arrows.h",       "film/film-pictures.h",    "film/film.h",
       "film/motion-film.h"}},
     {"host/cli", {"command", "report", "plugins", "verb"}, {NULL}},
     {"host/gui",

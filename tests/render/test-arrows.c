@@ -339,6 +339,33 @@ static void test_little_room(void)
     stage_close(&stage);
 }
 
+/* Where they were drawn is told: the first at (0, 0), 50 canvas units a metre, the labels where they were written. */
+static void test_places(void)
+{
+    static const TinkerForceArrow arrows[] = {{0, 0, 0, 1, "weaker", TINKER_ARROW_FIELD, 0},
+                                              {1, 0, 2, 0, "stronger", TINKER_ARROW_NORMAL, 0},
+                                              {-1, 0, 0, 0, "none", TINKER_ARROW_NORMAL, 0}};
+    static const double shafts[][4] = {{WIDTH / 2, HEIGHT / 2, WIDTH / 2, HEIGHT / 2 - 50},
+                                       {WIDTH / 2 + 50, HEIGHT / 2, WIDTH / 2 + 150, HEIGHT / 2}};
+    g_autoptr(GArray) places = g_array_new(FALSE, FALSE, sizeof(TinkerArrowPlace));
+    Stage stage;
+    stage_open(&stage, "light", 1);
+    stage.options.places = places;
+    stage_draw(&stage, arrows, G_N_ELEMENTS(arrows));
+    g_assert_cmpuint(places->len, ==, 2);
+    for (guint i = 0; i < places->len; i++) {
+        const TinkerArrowPlace *place = &g_array_index(places, TinkerArrowPlace, i);
+        const double *box = written(&stage, i)->box;
+        g_assert_cmpuint(place->number, ==, 1 - i);
+        for (int k = 0; k < 4; k++)
+            g_assert_cmpfloat_with_epsilon(place->shaft[k], shafts[place->number][k], 1e-9);
+        g_assert_cmpstr(written(&stage, i)->text, ==, arrows[place->number].label);
+        g_assert_true(place->label[0] <= box[0] && place->label[1] <= box[1] && place->label[2] >= box[2] - 1 &&
+                      place->label[3] >= box[3] - 1);
+    }
+    stage_close(&stage);
+}
+
 int main(int argc, char **argv)
 {
     g_test_init(&argc, &argv, NULL);
@@ -346,6 +373,7 @@ int main(int argc, char **argv)
     g_test_add_func("/render/arrows/key-of-small-picture", test_key_of_small_picture);
     g_test_add_data_func("/render/arrows/place/light", "light", test_place);
     g_test_add_data_func("/render/arrows/place/dark", "dark", test_place);
+    g_test_add_func("/render/arrows/places", test_places);
     g_test_add_func("/render/arrows/crowd", test_crowd);
     g_test_add_func("/render/arrows/one-body", test_one_body);
     g_test_add_func("/render/arrows/edges", test_edges);

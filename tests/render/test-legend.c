@@ -170,6 +170,29 @@ static void test_cut(void)
     g_assert_cmpuint(of_quantities->len, ==, 3);
 }
 
+/* Going down the middle of its samples, the entries come in order, each of the curve with that label, and nothing is
+ * beside the legend. */
+static void test_entries(void)
+{
+    static const double x[] = {0, 1}, y[] = {0, 1};
+    const TinkerCurve curves[] = {{.label = "first", .x = x, .y = y, .count = 2},
+                                  {.x = x, .y = y, .count = 2},
+                                  {.label = "third", .x = x, .y = y, .count = 2}};
+    const TinkerPlot plot = {.x_label = "x", .y_label = "y", .curves = curves, .curve_count = 3};
+    TinkerPlotGeometry at;
+    int last = -1;
+    tinker_plot_measure(&plot, 640, 420, &at);
+    for (double down = at.legend[1]; down < at.legend[3]; down++) {
+        const int curve = tinker_plot_pick_legend(&plot, 640, 420, at.legend[0] + 12, down);
+        g_assert_cmpint(tinker_plot_pick_legend(&plot, 640, 420, at.legend[0] - 2, down), ==, -1);
+        if (curve < 0) continue;
+        g_assert_cmpint(curve, >=, last);
+        g_assert_cmpint(curve, !=, 1);
+        last = curve;
+    }
+    g_assert_cmpint(last, ==, 2);
+}
+
 int main(int argc, char **argv)
 {
     g_test_init(&argc, &argv, NULL);
@@ -177,5 +200,6 @@ int main(int argc, char **argv)
     g_test_add_func("/render/legend/small", test_small);
     g_test_add_func("/render/legend/none", test_none);
     g_test_add_func("/render/legend/cut", test_cut);
+    g_test_add_func("/render/legend/entries", test_entries);
     return g_test_run();
 }

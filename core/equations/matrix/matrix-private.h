@@ -10,4 +10,9 @@ void tinker_matrix_roots(const TinkerEquations *equations, TinkerMatrixIsland *i
 /* Counts from rest where K is regular: fills `about` by the constant loads, and leaves those that vary in `load`. */
 void tinker_matrix_count_from_rest(const TinkerEquations *equations, TinkerMatrixIsland *island);
 
+/* matrix-sparse.c: entries by their numbers, for islands with many coordinates. */
+void tinker_matrix_sparse_init(TinkerMatrixIsland *island);
+/* Adds to one; uses the expression up. */
+void tinker_matrix_sparse_add(TinkerMatrixIsland *island, TinkerMatrixKind kind, guint number, TinkerExpression *more);
+
 #endif

@@ -11,7 +11,10 @@
 #include "law/derivative.h"
 
 #define MOST_COORDINATES 64
+#define MOST_SPARSE      50000             /* the numbers of their entries are 32 bits wide */
 #define ROUNDING         (4 * DBL_EPSILON) /* of a unit vector */
+
+static const char too_many[] = "it has too many coordinates to be written out";
 
 typedef struct {
     const TinkerEquations *equations;
@@ -35,9 +38,20 @@ static const TinkerMatrixCoordinate *coordinate_at(const Builder *builder, guint
 }
 
 /* Adds to an entry; uses the expression up. */
-static void add(GPtrArray *entries, guint number, TinkerExpression *more)
+static void add(Builder *builder, TinkerMatrixKind kind, guint number, TinkerExpression *more)
 {
-    entries->pdata[number] = tinker_expression_plus(entries->pdata[number], more);
+    TinkerMatrixIsland *island = builder->island;
+    GPtrArray *const matrices[] = {island->mass, island->damping, island->stiffness};
+    if (island->sparse[kind] != NULL)
+        tinker_matrix_sparse_add(island, kind, number, more);
+    else
+        matrices[kind]->pdata[number] = tinker_expression_plus(matrices[kind]->pdata[number], more);
+}
+
+static void add_load(Builder *builder, guint number, TinkerExpression *more)
+{
+    GPtrArray *load = builder->island->load;
+    load->pdata[number] = tinker_expression_plus(load->pdata[number], more);
 }
 
 /* u . (x, y) */
@@ -94,6 +108,18 @@ static gboolean uses_state(const Builder *builder, const TinkerExpression *expre
     return FALSE;
 }
 
+/* Whether an expression names the state of this body. */
+static gboolean uses_body(const Builder *builder, const TinkerExpression *expression, TinkerBlockId body)
+{
+    const char *name = tinker_scene_block_name(builder->equations->scene, body);
+    const gsize length = strlen(name);
+    if (expression->kind == TINKER_EXPRESSION_SYMBOL)
+        return strncmp(expression->name, name, length) == 0 && expression->name[length] == '.';
+    for (int i = 0; i < expression->count; i++)
+        if (uses_body(builder, expression->parts[i], body)) return TRUE;
+    return FALSE;
+}
+
 /* Of a force along coordinate i that is linear in the states of single bodies: a field, a motor. */
 static void add_term(Builder *builder, guint i, const TinkerTerm *term)
 {
@@ -103,6 +129,7 @@ static void add_term(Builder *builder, guint i, const TinkerTerm *term)
     g_autoptr(TinkerExpression) force = tinker_expression_replace(sum, definition_of, builder);
     for (guint k = 0; k < n; k++) {
         const TinkerMatrixCoordinate *other = coordinate_at(builder, k);
+        if (!uses_body(builder, force, other->body)) continue;
         for (int order = 0; order < 2; order++) {
             TinkerExpression *slope = tinker_expression_number(0);
             for (int axis = 0; axis < 2; axis++) {
@@ -112,11 +139,11 @@ static void add_term(Builder *builder, guint i, const TinkerTerm *term)
                     slope, tinker_expression_times(tinker_expression_number(other->direction[axis]), part));
             }
             if (uses_state(builder, slope)) builder->why = "a force on it is not linear";
-            add(order == 0 ? builder->island->stiffness : builder->island->damping, i * n + k,
+            add(builder, order == 0 ? TINKER_MATRIX_STIFFNESS : TINKER_MATRIX_DAMPING, i * n + k,
                 tinker_expression_negated(slope));
         }
     }
-    add(builder->island->load, i, tinker_expression_replace(force, zero_of_state, builder));
+    add_load(builder, i, tinker_expression_replace(force, zero_of_state, builder));
 }
 
 /* The coordinate of a body; -1 for none. */
@@ -152,17 +179,17 @@ static void add_pull(Builder *builder, const TinkerLineEquation *line, int end)
                                         ? tinker_expression_derivative_by(line->tension, line->rate->name)
                                         : tinker_expression_number(0);
     TinkerExpression *at_zero = tinker_expression_replace(line->tension, zero_of_line, (void *)line);
-    const GPtrArray *const matrices[] = {builder->island->stiffness, builder->island->damping};
+    static const TinkerMatrixKind matrices[] = {TINKER_MATRIX_STIFFNESS, TINKER_MATRIX_DAMPING};
     const TinkerExpression *const slopes[] = {k, c}, *const moved[] = {there, speed};
-    add(builder->island->load, (guint)own, tinker_expression_times(tinker_expression_number(sign), at_zero));
+    add_load(builder, (guint)own, tinker_expression_times(tinker_expression_number(sign), at_zero));
     for (int order = 0; order < 2; order++) {
         if (tinker_expression_uses(slopes[order], line->length->name)) builder->why = "a connector is not linear";
-        add((GPtrArray *)matrices[order], (guint)own * n + (guint)own, copy(slopes[order]));
+        add(builder, matrices[order], (guint)own * n + (guint)own, copy(slopes[order]));
         if (other >= 0)
-            add((GPtrArray *)matrices[order], (guint)own * n + (guint)other,
+            add(builder, matrices[order], (guint)own * n + (guint)other,
                 tinker_expression_negated(copy(slopes[order])));
         else
-            add(builder->island->load, (guint)own, tinker_expression_times(copy(slopes[order]), copy(moved[order])));
+            add_load(builder, (guint)own, tinker_expression_times(copy(slopes[order]), copy(moved[order])));
     }
 }
 
@@ -185,7 +212,7 @@ static gboolean is_line(const Builder *builder, TinkerBlockId block)
 static void add_body(Builder *builder, guint i)
 {
     const TinkerBodyEquation *equation = equation_of(builder, coordinate_at(builder, i)->body);
-    add(builder->island->mass, i * size_of(builder) + i, copy(equation->mass));
+    add(builder, TINKER_MATRIX_MASS, i * size_of(builder) + i, copy(equation->mass));
     for (guint k = 0; k < equation->terms->len; k++) {
         const TinkerTerm *term = &g_array_index(equation->terms, TinkerTerm, k);
         if (term->kind == TINKER_TERM_CONSTRAINT) builder->why = "a constraint holds it";
@@ -215,6 +242,8 @@ static void island_free(void *data)
     GPtrArray *const entries[] = {island->mass, island->damping, island->stiffness, island->load};
     for (gsize i = 0; i < G_N_ELEMENTS(entries); i++)
         if (entries[i] != NULL) g_ptr_array_unref(entries[i]);
+    for (int kind = 0; kind < TINKER_MATRICES; kind++)
+        g_clear_pointer(&island->sparse[kind], g_hash_table_unref);
     g_array_unref(island->blocks);
     g_array_unref(island->coordinates);
     g_free(island->omega);
@@ -261,13 +290,17 @@ static gboolean write_island(Builder *builder, const TinkerIslandPlan *plan)
     }
     choose_coordinates(builder, plan);
     const guint n = size_of(builder);
-    if (n == 0 || n > MOST_COORDINATES) {
-        builder->why = "it has too many coordinates to be written out";
+    if (n == 0 || n > MOST_SPARSE) {
+        builder->why = too_many;
         return FALSE;
     }
-    builder->island->mass = zeros(n * n);
-    builder->island->damping = zeros(n * n);
-    builder->island->stiffness = zeros(n * n);
+    if (n > MOST_COORDINATES) {
+        tinker_matrix_sparse_init(builder->island);
+    } else {
+        builder->island->mass = zeros(n * n);
+        builder->island->damping = zeros(n * n);
+        builder->island->stiffness = zeros(n * n);
+    }
     builder->island->load = zeros(n);
     for (guint i = 0; i < n; i++)
         add_body(builder, i);
@@ -299,8 +332,8 @@ static void reason_free(void *data)
 TinkerMatrixForm *tinker_matrix_form_new(const TinkerEquations *equations, const TinkerPlan *plan)
 {
     TinkerMatrixForm *form = g_new(TinkerMatrixForm, 1);
-    *form =
-        (TinkerMatrixForm){g_ptr_array_new_with_free_func(island_free), g_ptr_array_new_with_free_func(reason_free)};
+    *form = (TinkerMatrixForm){g_ptr_array_new_with_free_func(island_free), g_ptr_array_new_with_free_func(island_free),
+                               g_ptr_array_new_with_free_func(reason_free)};
     for (guint i = 0; i < plan->islands->len; i++) {
         const TinkerIslandPlan *each = g_ptr_array_index(plan->islands, i);
         TinkerMatrixIsland *island = g_new0(TinkerMatrixIsland, 1);
@@ -308,7 +341,11 @@ TinkerMatrixForm *tinker_matrix_form_new(const TinkerEquations *equations, const
         island->coordinates = g_array_new(FALSE, TRUE, sizeof(TinkerMatrixCoordinate));
         g_array_set_clear_func(island->coordinates, coordinate_clear);
         Builder builder = {equations, island, NULL};
-        if (write_island(&builder, each)) {
+        const gboolean written = write_island(&builder, each);
+        if (written && island->sparse[0] != NULL) {
+            add_reason(form, each, too_many);
+            g_ptr_array_add(form->large, island);
+        } else if (written) {
             tinker_matrix_count_from_rest(equations, island);
             tinker_matrix_roots(equations, island);
             g_ptr_array_add(form->islands, island);
@@ -323,6 +360,7 @@ TinkerMatrixForm *tinker_matrix_form_new(const TinkerEquations *equations, const
 void tinker_matrix_form_free(TinkerMatrixForm *form)
 {
     g_ptr_array_unref(form->islands);
+    g_ptr_array_unref(form->large);
     g_ptr_array_unref(form->why);
     g_free(form);
 }

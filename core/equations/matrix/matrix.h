@@ -15,24 +15,33 @@ typedef struct {
     double rounding;      /* how far rounding alone can have moved that */
 } TinkerMatrixCoordinate;
 
+typedef enum { TINKER_MATRIX_MASS, TINKER_MATRIX_DAMPING, TINKER_MATRIX_STIFFNESS, TINKER_MATRICES } TinkerMatrixKind;
+
 /* Entries are expressions, n by n by rows. */
 typedef struct {
     GArray *blocks;      /* of TinkerBlockId: bodies, then what acts on them */
     GArray *coordinates; /* of TinkerMatrixCoordinate */
     GPtrArray *mass, *damping, *stiffness, *load;
-    gboolean about_rest; /* K is regular: constant loads are in `about` */
+    GHashTable *sparse[TINKER_MATRICES]; /* in the place of these of an island in `large`: see tinker_matrix_each */
+    gboolean about_rest;                 /* K is regular: constant loads are in `about` */
     /* of pairs of roots s: omega^2 = s1 s2, 2 zeta omega = -(s1 + s2); of NAN there is none: */
     double *omega, *zeta, *decay, *unstable; /* unstable: two a pair */
 } TinkerMatrixIsland;
 
 typedef struct {
     GPtrArray *islands; /* of TinkerMatrixIsland */
-    GPtrArray *why;     /* of TinkerNotWritten, without symbols: of each other island its first body, and the reason */
+    GPtrArray *large;   /* likewise, without loads, rest and roots: those that are linear and have more coordinates */
+    GPtrArray *why; /* of TinkerNotWritten, without symbols: of each that is not in `islands` its first body, and the
+                       reason */
 } TinkerMatrixForm;
 
 /* The islands of a plan that are linear. (transfer full) */
 TinkerMatrixForm *tinker_matrix_form_new(const TinkerEquations *equations, const TinkerPlan *plan);
 void tinker_matrix_form_free(TinkerMatrixForm *form);
 G_DEFINE_AUTOPTR_CLEANUP_FUNC(TinkerMatrixForm, tinker_matrix_form_free)
+
+/* Each entry that is not 0, by rows. */
+typedef void (*TinkerMatrixFunc)(guint row, guint column, const TinkerExpression *entry, void *data);
+void tinker_matrix_each(const TinkerMatrixIsland *island, TinkerMatrixKind kind, TinkerMatrixFunc func, void *data);
 
 #endif

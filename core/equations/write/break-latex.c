@@ -55,6 +55,31 @@ static double take_text(const char **at, const char *end)
     return width;
 }
 
+#define MOST_COLUMNS 16
+#define COLUMN       10.0 /* between the columns of a matrix */
+
+/* Each column as wide as its widest entry. */
+static double take_matrix(const char **at, const char *end)
+{
+    static const char closing[] = "\\end{bmatrix}";
+    const char *cell = *at, *p = *at;
+    double widths[MOST_COLUMNS] = {0}, sum = 2 * BRACKET;
+    int column = 0;
+    for (gboolean more = TRUE; more; p++) {
+        const gboolean next_row = begins(p, end, "\\\\");
+        more = p < end && !begins(p, end, closing);
+        if (more && !next_row && *p != '&') continue;
+        widths[column] = MAX(widths[column], width_between(cell, p) + COLUMN);
+        column = next_row || !more ? 0 : MIN(column + 1, MOST_COLUMNS - 1);
+        cell = p + (next_row ? 2 : 1);
+        p += next_row;
+    }
+    for (int i = 0; i < MOST_COLUMNS; i++)
+        sum += widths[i];
+    *at = MIN(p - 1 + strlen(closing), end);
+    return sum;
+}
+
 /* Two columns, as wide as their widest row. */
 static double take_cases(const char **at, const char *end)
 {
@@ -97,8 +122,9 @@ static double take_command(const char **at, const char *end)
     if (strcmp(command, "mathrm") == 0 || strcmp(command, "text") == 0 || strcmp(command, "operatorname") == 0)
         return take_text(at, end);
     if (strcmp(command, "begin") == 0) {
+        const gboolean is_matrix = begins(*at, end, "{bmatrix}");
         *at = group_end(*at, end);
-        return take_cases(at, end);
+        return is_matrix ? take_matrix(at, end) : take_cases(at, end);
     }
     if (strcmp(command, "left") == 0 || strcmp(command, "right") == 0) {
         *at = MIN(*at + 1, end);

@@ -10,15 +10,26 @@ typedef struct {
     char *text;          /* in the format; of all but the first with the sign before it */
     TinkerBlockId block; /* -1: of none */
     TinkerTermKind kind; /* of a body's equation */
+    gboolean has_value;  /* of what is linear, at the time of the equations: */
+    double value;
+    TinkerDimension dimension;
 } TinkerLineTerm;
+
+/* Entries by rows, each what is added up in it. */
+typedef struct {
+    guint rows, columns;
+    GPtrArray *cells; /* of GArray of TinkerLineTerm */
+} TinkerLineMatrix;
 
 typedef struct {
     char *heading;       /* NULL: an equation, with all that follows */
     TinkerBlockId block; /* whose it is: a body, or the block of a law; -1: of none */
     int component;       /* of a body's equation: 0 and 1 forces in x and y, 2 torques; else -1 */
     char *left;
-    GArray *terms; /* of TinkerLineTerm */
-    char *comment; /* plain text, or NULL */
+    GArray *left_terms;       /* of TinkerLineTerm: in the place of `left`; or NULL */
+    GArray *terms;            /* of TinkerLineTerm */
+    TinkerLineMatrix *matrix; /* on the right, in the place of terms; or NULL */
+    char *comment;            /* plain text, or NULL */
 } TinkerEquationLine;
 
 /* Newton's equations, or of `matrix` or `angles` where one is given, as the writers of write.h put them. Lines are the

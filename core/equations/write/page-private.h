@@ -2,6 +2,7 @@
 #ifndef TINKER_CORE_EQUATIONS_PAGE_PRIVATE_H
 #define TINKER_CORE_EQUATIONS_PAGE_PRIVATE_H
 
+#include "equations/write/lines.h"
 #include "equations/write/write.h"
 
 typedef struct {
@@ -35,6 +36,27 @@ void tinker_page_line(TinkerPage *page, char *left, char *right, char *comment);
 void tinker_page_line_sum(TinkerPage *page, char *left, int component, char *comment);
 void tinker_page_line_terms(TinkerPage *page, TinkerBlockId block, TinkerTermKind kind,
                             const TinkerExpression *expression);
+
+/* A line with terms on both sides, none yet; one with a matrix, whose cells have none yet. Borrowed. */
+TinkerEquationLine *tinker_page_line_balance(TinkerPage *page);
+TinkerEquationLine *tinker_page_line_matrix(TinkerPage *page, char *left, guint rows, guint columns, char *comment);
+
+/* A matrix, or a vector, by rows. */
+typedef struct {
+    guint rows, columns;
+    const TinkerExpression *const *entries;
+    TinkerDimension dimension;
+} TinkerPageMatrix;
+
+/* left = matrix, in brackets; `left` and `comment` are taken over. write-entries.c. */
+void tinker_page_matrix(TinkerPage *page, char *left, const TinkerPageMatrix *matrix, char *comment);
+/* Adds the summands of factor times variable (NULL: 1) as terms, each of the block that its symbols are of, what acts
+ * before what it acts on; the value of them all, times that of the variable, goes to the first, unless it is the number
+ * 0. write-entries.c. */
+void tinker_page_add_terms(const TinkerPage *page, GArray *terms, const TinkerExpression *factor, const char *variable,
+                           double variable_value, TinkerDimension dimension);
+/* The entries of a matrix that is too large to be written, by their kinds; write-patterns.c. */
+void tinker_page_pattern(TinkerPage *page, const TinkerMatrixIsland *island, TinkerMatrixKind kind);
 
 /* What the writers of write.h put between a page's beginning and its end. */
 void tinker_equations_put_newton(TinkerPage *page, const TinkerEquationsShown *shown);

@@ -72,18 +72,39 @@ static const char *row_part(const TinkerPage *page, guint row, int part)
 
 #define WIDEST 60 /* equations beyond this do not push the comments of the others away */
 
+/* Of its widest line. */
+static int width_of_lines(const char *text)
+{
+    g_auto(GStrv) lines = g_strsplit(text, "\n", -1);
+    int width = 0;
+    for (int i = 0; lines[i] != NULL; i++)
+        width = MAX(width, width_of(lines[i]));
+    return width;
+}
+
+/* A matrix has the equals sign before its middle. */
+static void append_equation(TinkerPage *page, guint row, int left)
+{
+    g_auto(GStrv) lines = g_strsplit(row_part(page, row, RIGHT), "\n", -1);
+    const int count = (int)g_strv_length(lines), middle = (count - 1) / 2;
+    const char *name = row_part(page, row, LEFT);
+    for (int i = 0; i < count; i++)
+        g_string_append_printf(page->text, "%s  %*s%s%s%s", i > 0 ? "\n" : "",
+                               left - (i == middle ? width_of(name) : 0), "", i == middle ? name : "",
+                               i == middle ? " = " : "   ", lines[i]);
+}
+
 static void flush_text(TinkerPage *page, guint rows)
 {
     int left = 0, right = 0;
     for (guint i = 0; i < rows; i++) {
         left = MAX(left, width_of(row_part(page, i, LEFT)));
-        const int width = width_of(row_part(page, i, RIGHT));
+        const int width = width_of_lines(row_part(page, i, RIGHT));
         if (width <= WIDEST) right = MAX(right, width);
     }
     for (guint i = 0; i < rows; i++) {
         const char *comment = row_part(page, i, COMMENT), *value = row_part(page, i, RIGHT);
-        g_string_append_printf(page->text, "  %*s%s = %s", left - width_of(row_part(page, i, LEFT)), "",
-                               row_part(page, i, LEFT), value);
+        append_equation(page, i, left);
         if (comment != NULL && width_of(value) > WIDEST)
             g_string_append_printf(page->text, "\n  %*s    %s", left, "", comment);
         else if (comment != NULL)

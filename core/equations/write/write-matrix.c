@@ -8,9 +8,10 @@
 #include "law/build.h"
 
 #define ROUNDING     1e-12 /* damping ratios below it are 0 */
-#define MOST_WRITTEN 8     /* coordinates: beyond, the JSON has the entries */
+#define MOST_WRITTEN 8     /* coordinates: beyond, patterns */
 
-static const TinkerDimension length = {0, 1, 0, 0}, frequency = {0, 0, -1, 1}, seconds = {0, 0, 1, 0};
+static const TinkerDimension length = {0, 1, 0, 0}, frequency = {0, 0, -1, 1}, seconds = {0, 0, 1, 0},
+                             force = {1, 1, -2, 0};
 
 static const TinkerMatrixCoordinate *coordinate_at(const TinkerMatrixIsland *island, guint number)
 {
@@ -146,29 +147,135 @@ static void write_roots(TinkerPage *page, const TinkerMatrixIsland *island)
     }
 }
 
-/* Of a matrix too large to be written: how many entries it has, and how far they are from its diagonal. */
-static void write_pattern(TinkerPage *page, const char *name, const GPtrArray *entries, guint n)
+/* Where an island is, of each coordinate: its acceleration, its velocity, its place. */
+typedef struct {
+    double at[3][MOST_WRITTEN];
+} Motion;
+
+static double entry_value(const TinkerPage *page, const GPtrArray *entries, guint number)
 {
-    guint count = 0, band = 0;
-    for (guint i = 0; i < n; i++)
+    return tinker_equations_value(page->equations, g_ptr_array_index(entries, number));
+}
+
+static double velocity(const TinkerPage *page, const TinkerMatrixCoordinate *coordinate)
+{
+    static const char *const quantities[] = {"vx", "vy"};
+    double along = 0;
+    for (int axis = 0; axis < 2; axis++) {
+        g_autofree char *name =
+            g_strconcat(tinker_scene_block_name(page->equations->scene, coordinate->body), ".", quantities[axis], NULL);
+        g_autoptr(TinkerExpression) symbol = tinker_expression_symbol(name);
+        const double value = tinker_equations_value(page->equations, symbol);
+        if (coordinate->direction[axis] != 0) along += coordinate->direction[axis] * value;
+    }
+    return along;
+}
+
+/* Accelerations by M, which is diagonal. */
+static Motion motion_of(const TinkerPage *page, const TinkerMatrixIsland *island)
+{
+    Motion motion = {{{0}}};
+    const guint n = island->coordinates->len;
+    for (guint i = 0; i < n; i++) {
+        motion.at[1][i] = velocity(page, coordinate_at(island, i));
+        motion.at[2][i] =
+            tinker_equations_value(page->equations, coordinate_at(island, i)->is) - coordinate_at(island, i)->about;
+    }
+    for (guint i = 0; i < n; i++) {
+        double sum = entry_value(page, island->load, i);
+        for (guint k = 0; k < n; k++)
+            sum -= entry_value(page, island->damping, i * n + k) * motion.at[1][k] +
+                   entry_value(page, island->stiffness, i * n + k) * motion.at[2][k];
+        motion.at[0][i] = sum / entry_value(page, island->mass, i * n + i);
+    }
+    return motion;
+}
+
+/* Row i for who shows it in parts, each of its block. */
+static void line_row(TinkerPage *page, const TinkerMatrixIsland *island, guint i, const Motion *motion)
+{
+    const guint n = island->coordinates->len;
+    const GPtrArray *const matrices[] = {island->mass, island->damping, island->stiffness};
+    const TinkerEquationLine *line = tinker_page_line_balance(page);
+    for (int order = 0; order < 3; order++)
         for (guint k = 0; k < n; k++) {
-            if (tinker_expression_is_number(g_ptr_array_index(entries, i * n + k), 0)) continue;
-            count++;
-            band = MAX(band, i > k ? i - k : k - i);
+            const TinkerExpression *entry = g_ptr_array_index(matrices[order], i * n + k);
+            g_autofree char *variable = coordinate(page, island, k, 2 - order);
+            if (!tinker_expression_is_number(entry, 0))
+                tinker_page_add_terms(page, line->left_terms, entry, variable, motion->at[order][k], force);
         }
-    g_autofree char *text =
-        count == 0 ? g_strdup_printf(_("%s is 0"), name)
-        : band == 0
-            ? g_strdup_printf(_("%s is diagonal, with %u entries"), name, count)
-            : g_strdup_printf(_("%s has %u entries, none farther than %u from the diagonal"), name, count, band);
-    tinker_page_heading(page, text);
+    tinker_page_add_terms(page, line->terms, g_ptr_array_index(island->load, i), NULL, 1, force);
+}
+
+static void write_rows(TinkerPage *page, const TinkerMatrixIsland *island)
+{
+    const Motion motion = motion_of(page, island);
+    for (guint i = 0; i < island->coordinates->len; i++) {
+        if (page->lines != NULL)
+            line_row(page, island, i, &motion);
+        else
+            write_row(page, island, i);
+    }
+}
+
+/* A matrix or a vector by its letter, in bold where that can be told. */
+static char *lettered(const TinkerPage *page, const char *letter, int dots)
+{
+    GString *text = g_string_new(NULL);
+    const TinkerSymbolLook look = {letter, "", dots, NULL};
+    tinker_symbol_typeset(text, &look, page->format);
+    return g_string_free(text, FALSE);
+}
+
+static gboolean is_zero(const TinkerMatrixIsland *island, TinkerMatrixKind kind)
+{
+    const GPtrArray *const dense[] = {island->mass, island->damping, island->stiffness};
+    if (island->sparse[kind] != NULL) return g_hash_table_size(island->sparse[kind]) == 0;
+    for (guint i = 0; i < dense[kind]->len; i++)
+        if (!tinker_expression_is_number(g_ptr_array_index(dense[kind], i), 0)) return FALSE;
+    return TRUE;
+}
+
+/* M q'' + C q' + K q = f, without what is 0. */
+static void write_whole(TinkerPage *page, const TinkerMatrixIsland *island)
+{
+    static const char *const letters[] = {"M", "C", "K"};
+    GString *sum = g_string_new(NULL);
+    for (int kind = 0; kind < TINKER_MATRICES; kind++) {
+        if (is_zero(island, kind)) continue;
+        g_autofree char *matrix = lettered(page, letters[kind], 0), *vector = lettered(page, "q", 2 - kind);
+        if (sum->len > 0) g_string_append(sum, tinker_typeset_sign(page->format, '+'));
+        g_string_append_printf(sum, "%s%s%s", matrix, tinker_typeset_sign(page->format, '*'), vector);
+    }
+    tinker_page_equation(page, g_string_free(sum, FALSE), lettered(page, "f", 0), NULL);
+}
+
+/* The matrices one below the other, as far as they are not 0. */
+static void write_matrices(TinkerPage *page, const TinkerMatrixIsland *island)
+{
+    static const char *const letters[] = {"M", "C", "K"};
+    static const TinkerDimension dimensions[] = {{1, 0, 0, 0}, {1, 0, -1, 0}, {1, 0, -2, 0}};
+    const GPtrArray *const entries[] = {island->mass, island->damping, island->stiffness};
+    const guint n = island->coordinates->len;
+    write_whole(page, island);
+    tinker_page_gap(page);
+    for (int kind = 0; kind < TINKER_MATRICES; kind++) {
+        const TinkerPageMatrix matrix = {n, n, (const TinkerExpression *const *)(gpointer)entries[kind]->pdata,
+                                         dimensions[kind]};
+        if (is_zero(island, kind)) continue;
+        tinker_page_matrix(page, lettered(page, letters[kind], 0), &matrix, NULL);
+        tinker_page_gap(page);
+    }
+    const TinkerPageMatrix load = {n, 1, (const TinkerExpression *const *)(gpointer)island->load->pdata, force};
+    tinker_page_matrix(page, lettered(page, "f", 0), &load, NULL);
+    tinker_page_gap(page);
 }
 
 static void write_patterns(TinkerPage *page, const TinkerMatrixIsland *island)
 {
-    write_pattern(page, "M", island->mass, island->coordinates->len);
-    write_pattern(page, "C", island->damping, island->coordinates->len);
-    write_pattern(page, "K", island->stiffness, island->coordinates->len);
+    write_whole(page, island);
+    for (int kind = 0; kind < TINKER_MATRICES; kind++)
+        tinker_page_pattern(page, island, kind);
 }
 
 static void write_island(TinkerPage *page, const TinkerMatrixIsland *island)
@@ -180,14 +287,14 @@ static void write_island(TinkerPage *page, const TinkerMatrixIsland *island)
         if (i > 0 && coordinate_at(island, i)->body == coordinate_at(island, i - 1)->body) continue;
         if (i < MOST_WRITTEN) g_string_append_printf(heading, "%s%s", heading->len > 0 ? ", " : "", name);
     }
-    if (n > MOST_WRITTEN) g_string_append_printf(heading, _(", ...: %u coordinates (the JSON has the matrices)"), n);
+    if (n > MOST_WRITTEN) g_string_append_printf(heading, _(", ...: %u coordinates"), n);
     tinker_page_heading(page, heading->str);
     if (n > MOST_WRITTEN) {
         write_patterns(page, island);
         return;
     }
-    for (guint i = 0; i < n; i++)
-        write_row(page, island, i);
+    if (n > 1) write_matrices(page, island);
+    write_rows(page, island);
     tinker_page_gap(page);
     for (guint i = 0; i < n; i++)
         write_coordinate(page, island, i);
@@ -212,13 +319,26 @@ static void write_names(TinkerPage *page, const TinkerMatrixForm *form)
     tinker_page_names(page, needed);
 }
 
+/* Whose pattern is there, whatever it has not. */
+static gboolean is_large(const TinkerMatrixForm *form, TinkerBlockId first)
+{
+    for (guint i = 0; i < form->large->len; i++) {
+        const TinkerMatrixIsland *island = g_ptr_array_index(form->large, i);
+        if (g_array_index(island->blocks, TinkerBlockId, 0) == first) return TRUE;
+    }
+    return FALSE;
+}
+
 void tinker_equations_put_matrix(TinkerPage *page, const TinkerMatrixForm *form, const TinkerEquationsShown *shown)
 {
     for (guint i = 0; i < form->islands->len; i++)
         write_island(page, g_ptr_array_index(form->islands, i));
+    for (guint i = 0; i < form->large->len; i++)
+        write_island(page, g_ptr_array_index(form->large, i));
     write_names(page, form);
     for (guint i = 0; i < form->why->len; i++) {
         const TinkerNotWritten *reason = g_ptr_array_index(form->why, i);
+        if (is_large(form, reason->block)) continue;
         g_autofree char *heading = g_strdup_printf(
             _("%s has no such equations: %s"),
             reason->block >= 0 ? tinker_scene_block_name(page->equations->scene, reason->block) : _("it"),

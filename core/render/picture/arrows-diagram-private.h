@@ -13,6 +13,7 @@
 typedef struct {
     const TinkerForceArrow *arrow;
     double x1, y1, x2, y2;
+    double label[4]; /* canvas units: its box; all 0: there is none */
 } ArrowShaft;
 
 typedef struct {

@@ -117,7 +117,7 @@ static void find_free_place(const ArrowDiagram *diagram, const ArrowShaft *shaft
         }
 }
 
-static void write_label(ArrowDiagram *diagram, const ArrowShaft *shaft)
+static void write_label(ArrowDiagram *diagram, ArrowShaft *shaft)
 {
     const double room = diagram->view->width - 2 * MARGIN - BAR - BAR_GAP;
     TinkerText label = {.text = shaft->arrow->label,
@@ -136,6 +136,7 @@ static void write_label(ArrowDiagram *diagram, const ArrowShaft *shaft)
     cairo_set_source_rgba(diagram->cairo, ink[0], ink[1], ink[2], ink[3]);
     tinker_text_draw(&diagram->brush.pen, diagram->cairo, &label, best[0] + BAR + BAR_GAP, best[1]);
     tinker_occupancy_take_box(&diagram->map, best, TINKER_TAKEN_BY_TEXT);
+    memcpy(shaft->label, best, sizeof shaft->label);
 }
 
 void arrows_write_labels(ArrowDiagram *diagram)
@@ -143,7 +144,7 @@ void arrows_write_labels(ArrowDiagram *diagram)
     int written = 0;
     take_places(diagram);
     for (guint i = 0; i < diagram->shafts->len && written < ARROWS_MOST_LABELS; i++) {
-        const ArrowShaft *shaft = &g_array_index(diagram->shafts, ArrowShaft, i);
+        ArrowShaft *shaft = &g_array_index(diagram->shafts, ArrowShaft, i);
         if (shaft->arrow->label == NULL || shaft->arrow->label[0] == '\0') continue;
         write_label(diagram, shaft);
         written++;

@@ -104,7 +104,7 @@ void arrows_find_shafts(ArrowDiagram *diagram, const TinkerForceArrow *arrows, g
     for (guint i = 0; i < sorted->len; i++) {
         const TinkerForceArrow *arrow = g_ptr_array_index(sorted, i);
         double scale = diagram->options->scale;
-        ArrowShaft shaft = {arrow, arrow->x, arrow->y, arrow->x + scale * arrow->fx, arrow->y + scale * arrow->fy};
+        ArrowShaft shaft = {arrow, arrow->x, arrow->y, arrow->x + scale * arrow->fx, arrow->y + scale * arrow->fy, {0}};
         if (!clip(diagram, &shaft)) continue;
         move_beside(diagram, &shaft);
         g_array_append_val(diagram->shafts, shaft);

@@ -78,6 +78,18 @@ static void draw_shafts(ArrowDiagram *diagram, gboolean halo)
     }
 }
 
+static void tell_places(const ArrowDiagram *diagram, const TinkerForceArrow *arrows, GArray *places)
+{
+    for (guint i = 0; i < diagram->shafts->len; i++) {
+        const ArrowShaft *shaft = &g_array_index(diagram->shafts, ArrowShaft, i);
+        TinkerArrowPlace place = {.number = (gsize)(shaft->arrow - arrows)};
+        tinker_view_to_canvas(diagram->view, shaft->x1, shaft->y1, &place.shaft[0], &place.shaft[1]);
+        tinker_view_to_canvas(diagram->view, shaft->x2, shaft->y2, &place.shaft[2], &place.shaft[3]);
+        memcpy(place.label, shaft->label, sizeof place.label);
+        g_array_append_val(places, place);
+    }
+}
+
 void tinker_arrows_draw_noting(cairo_t *cairo, const TinkerView *view, const TinkerForceArrow *arrows, gsize count,
                                const TinkerArrowOptions *options, GPtrArray *written)
 {
@@ -92,6 +104,7 @@ void tinker_arrows_draw_noting(cairo_t *cairo, const TinkerView *view, const Tin
     cairo_save(cairo);
     arrows_write_labels(&diagram);
     cairo_restore(cairo);
+    if (options->places != NULL) tell_places(&diagram, arrows, options->places);
     g_array_unref(diagram.shafts);
     tinker_style_end(&diagram.brush);
 }

@@ -40,6 +40,13 @@ typedef struct {
     guint look; /* TINKER_ARROW_... */
 } TinkerForceArrow;
 
+/* Where one was drawn, canvas units. */
+typedef struct {
+    gsize number;    /* of the arrow */
+    double shaft[4]; /* from its start to its head */
+    double label[4]; /* the box, least and greatest x and y; all 0 where it has none */
+} TinkerArrowPlace;
+
 typedef struct {
     const TinkerTheme *theme;
     double scale; /* m per N */
@@ -50,6 +57,8 @@ typedef struct {
     int drawn_count;
     gboolean roomy; /* there is room around the arrows: labels go farther off before they cover a drawing, and are cut
                        later */
+    GArray
+        *places; /* of TinkerArrowPlace: receives those that show, the strongest first; NULL: nobody asks. Borrowed */
 } TinkerArrowOptions;
 
 /* A round scale (m per N; 1, 2 or 5 times a power of ten) at which the longest arrow is about a tenth of the view's

@@ -6,6 +6,7 @@
 
 #include "render/plot/plot-private.h"
 
+#define FADED         0.3 /* what is left of a colour */
 #define MARKER_SIZE   3.4
 #define RING_SIZE     7.5
 #define RING_LINE     2.0
@@ -156,7 +157,9 @@ void tinker_plot_set_curve_style(cairo_t *cairo, const TinkerPlotLayout *layout,
     const double *c = curve->role == TINKER_CURVE_DATA    ? layout->theme->curves[colour_number(curve)]
                       : curve->role == TINKER_CURVE_GUIDE ? layout->theme->axis
                                                           : layout->theme->colours[TINKER_COLOUR_TEXT];
-    cairo_set_source_rgba(cairo, c[0], c[1], c[2], c[3]);
+    const double *ground = layout->theme->background, share = curve->faded ? FADED : 1;
+    cairo_set_source_rgba(cairo, ground[0] + share * (c[0] - ground[0]), ground[1] + share * (c[1] - ground[1]),
+                          ground[2] + share * (c[2] - ground[2]), c[3]);
     cairo_set_line_width(cairo, TINKER_PLOT_LINE);
     if (curve->role == TINKER_CURVE_GUIDE) {
         cairo_set_line_width(cairo, GUIDE_LINE);

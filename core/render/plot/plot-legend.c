@@ -292,3 +292,19 @@ gboolean tinker_plot_shortens_legend(const TinkerPlotLayout *layout)
         if (label_of(layout, i) && width_of(layout, label_of(layout, i)) > legend->limit) return TRUE;
     return count_entries(layout) > legend->entries;
 }
+
+int tinker_plot_legend_curve(const TinkerPlotLayout *layout, double x, double y)
+{
+    const TinkerLegend *legend = &layout->legend;
+    if (legend->kind == TINKER_LEGEND_NONE || x < legend->box[0] || x > legend->box[2]) return -1;
+    const double width = legend->columns > 1 ? legend->column_width : legend->box[2] - legend->box[0];
+    int shown = 0;
+    for (int i = 0; i < layout->plot->curve_count && shown < legend->entries; i++) {
+        double left, middle;
+        if (!label_of(layout, i)) continue;
+        place_of(layout, shown++, &left, &middle);
+        if (fabs(y - middle) <= layout->sizes->legend_row / 2 && x >= left - INNER && x < left - INNER + width)
+            return i;
+    }
+    return -1;
+}

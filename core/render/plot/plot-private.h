@@ -126,6 +126,8 @@ gboolean tinker_plot_has_line(const TinkerCurve *curve);
 void tinker_plot_place_legend(TinkerPlotLayout *layout);
 void tinker_plot_draw_legend(cairo_t *cairo, const TinkerPlotLayout *layout);
 /* Whether it leaves out something of what the curves are called. */
+/* The curve whose entry is at a place of the canvas; -1: none. */
+int tinker_plot_legend_curve(const TinkerPlotLayout *layout, double x, double y);
 gboolean tinker_plot_shortens_legend(const TinkerPlotLayout *layout);
 
 /* The cursor with its dots; plot-marks.c. */

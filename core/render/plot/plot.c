@@ -364,3 +364,14 @@ gboolean tinker_plot_pick(const TinkerPlot *plot, double width, double height, d
     tinker_text_pen_clear(&pen);
     return any;
 }
+
+int tinker_plot_pick_legend(const TinkerPlot *plot, double width, double height, double canvas_x, double canvas_y)
+{
+    TinkerTextPen pen = {.memory = tinker_paint_memory_texts(plot->memory)};
+    TinkerPlotLayout layout;
+    tinker_plot_lay_out(&layout, plot, &pen, width, height);
+    const int curve = tinker_plot_legend_curve(&layout, canvas_x, canvas_y);
+    tinker_plot_layout_clear(&layout);
+    tinker_text_pen_clear(&pen);
+    return curve;
+}

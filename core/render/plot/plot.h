@@ -28,6 +28,7 @@ typedef struct {
     gboolean no_line;
     gboolean right;  /* its values belong to the axis at the right */
     gboolean behind; /* those that are not are drawn over it, wherever it stands among them */
+    gboolean faded;  /* others are what is looked at */
     TinkerCurveRole role;
 } TinkerCurve;
 
@@ -74,6 +75,9 @@ typedef struct {
  * there is none within `reach` (canvas units). */
 gboolean tinker_plot_pick(const TinkerPlot *plot, double width, double height, double canvas_x, double canvas_y,
                           double reach, TinkerPlotPoint *found);
+
+/* The curve whose sample or label in the legend is at a place of the canvas; -1: none. */
+int tinker_plot_pick_legend(const TinkerPlot *plot, double width, double height, double canvas_x, double canvas_y);
 
 /* Where the axes of a plot of this size lie. */
 typedef struct {

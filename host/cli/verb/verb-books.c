@@ -160,7 +160,7 @@ static gboolean write_books(const BooksOptions *options, const TinkerOpenScene *
         tinker_books_new(open->scene, &wish->run, wish->bodies, wish->from, wish->to, wish->about, error);
     if (books == NULL) return FALSE;
     if (!wish->is_picture) return write_file(options, open, wish, books, error);
-    TinkerBooksPicture picture = {open->scene, books, wish->bodies, wish->theme, TINKER_NO_BLOCK};
+    TinkerBooksPicture picture = {open->scene, books, wish->bodies, wish->theme};
     return tinker_surface_to_file(tinker_books_draw, &picture, wish->width, wish->height, options->output, error);
 }
 

@@ -97,8 +97,7 @@ static gboolean draw_diagram(const DiagramOptions *options, const Wish *wish, co
                                     .diagram = diagram,
                                     .blocks = blocks,
                                     .kind = (TinkerDiagramKind)wish->kind,
-                                    .theme = wish->theme,
-                                    .lit = TINKER_NO_BLOCK};
+                                    .theme = wish->theme};
     return tinker_surface_to_file(tinker_diagram_draw, &picture, wish->width, wish->height, options->output, error);
 }
 

@@ -100,7 +100,7 @@ static gboolean read_times(const RenderOptions *options, TinkerScene *scene, dou
 static gboolean overlay_prepare(Overlay *overlay, const RenderOptions *options, TinkerScene *scene, double every,
                                 GError **error)
 {
-    overlay->arrows = (TinkerForceArrows){.scene = scene, .lit = TINKER_NO_BLOCK};
+    overlay->arrows = (TinkerForceArrows){.scene = scene};
     overlay->course.choice = options->over.vectors;
     overlay->course.forces = tinker_acting_forces_array();
     if (tinker_vector_choice_any(&options->over.vectors)) overlay->course.vectors = tinker_motion_vectors_array();

@@ -15,7 +15,7 @@
 #define MOST_ROW   22.0
 #define LEAST_ROW  15.0
 #define BAR        0.62 /* of a row */
-#define VALUE_ROOM 112.0
+#define VALUE_GAP  12.0 /* between bars and values */
 #define LEAST_BARS 90.0 /* that names leave to the bars */
 
 #define NARROW 600.0 /* canvas units: below it accounts stand in one column */
@@ -26,8 +26,8 @@
 typedef struct {
     char *name;
     double value;
-    gboolean total;      /* it stands by itself: what was there, what came of it */
-    TinkerBlockId block; /* TINKER_NO_BLOCK: none */
+    gboolean total; /* it stands by itself: what was there, what came of it */
+    TinkerPointed what;
 } Entry;
 
 typedef struct {
@@ -41,7 +41,8 @@ typedef struct {
     const TinkerBooksPicture *picture;
     cairo_t *cairo;
     TinkerTextPen pen;
-    double name_room; /* canvas units: of all accounts, so that their bars begin alike */
+    double name_room, value_room; /* canvas units: of all accounts, so that their bars begin and end alike */
+    gboolean some_lit;            /* others are faded */
 } Drawing;
 
 static void entry_clear(gpointer data)
@@ -93,7 +94,7 @@ static double given(const TinkerBookEntry *entry, Which which)
 
 static void add_total(Account *account, const char *name, double value)
 {
-    const Entry entry = {g_strdup(name), value, TRUE, TINKER_NO_BLOCK};
+    const Entry entry = {g_strdup(name), value, TRUE, tinker_pointed_block(TINKER_NO_BLOCK)};
     g_array_append_val(account->entries, entry);
 }
 
@@ -128,6 +129,30 @@ static char *title_of_account(const TinkerBooksPicture *picture, Which which)
     return g_strdup_printf(_("Angular impulse and momentum about %s"), about);
 }
 
+/* Of the books of one body the forces on it alone. */
+static TinkerPointed thing_of(const TinkerBooksPicture *picture, const TinkerBookEntry *entry)
+{
+    TinkerPointed thing = tinker_pointed_block(entry->by);
+    if (picture->bodies[0] >= 0 && picture->bodies[1] < 0) thing.on = picture->bodies[0];
+    return thing;
+}
+
+/* What rounding alone may leave: of work, which may be 0 where forces are large, also by their moments. */
+static double rounding_of(const TinkerBooks *books, Which which, double scale)
+{
+    const double interval = books->to - books->from;
+    if (which == ENERGY && interval > 0) scale = fmax(scale, books->moment.scale / interval);
+    return NOTHING * scale;
+}
+
+static void drop_rounding(Account *account, double rounding)
+{
+    for (guint i = 0; i < account->entries->len; i++) {
+        Entry *entry = &g_array_index(account->entries, Entry, i);
+        if (fabs(entry->value) <= rounding) entry->value = 0;
+    }
+}
+
 static Account account_of(const TinkerBooksPicture *picture, Which which)
 {
     static const TinkerDimension dimensions[ACCOUNTS] = {TINKER_DIMENSION_FORCE,  TINKER_DIMENSION_FORCE,
@@ -146,10 +171,11 @@ static Account account_of(const TinkerBooksPicture *picture, Which which)
         const TinkerBookEntry *entry = &g_array_index(books->entries, TinkerBookEntry, i);
         if (entry->inner && which != ENERGY) continue; /* it cancels */
         const Entry one = {g_strdup(tinker_scene_block_name(picture->scene, entry->by)), given(entry, which), FALSE,
-                           entry->by};
+                           thing_of(picture, entry)};
         g_array_append_val(account.entries, one);
     }
     add_total(&account, which <= FORCE_Y ? _("= m a") : _("= after"), totals[1]);
+    drop_rounding(&account, rounding_of(books, which, account.balance->scale));
     return account;
 }
 
@@ -158,7 +184,7 @@ static void gather(Account *account, guint most)
 {
     double rest = 0;
     guint gathered = 0;
-    while (account->entries->len > MAX(most, 4)) {
+    while (account->entries->len + (gathered > 0) > MAX(most, 4)) {
         guint least = 0;
         for (guint i = 0; i < account->entries->len; i++) {
             const Entry *entry = &g_array_index(account->entries, Entry, i);
@@ -168,10 +194,10 @@ static void gather(Account *account, guint most)
         rest += g_array_index(account->entries, Entry, least).value;
         g_array_remove_index(account->entries, least);
         gathered++;
-        if (account->entries->len + 1 <= MAX(most, 4)) break;
     }
     if (gathered == 0) return;
-    const Entry others = {g_strdup_printf(_("%u others"), gathered), rest, FALSE, TINKER_NO_BLOCK};
+    const Entry others = {g_strdup_printf(_("%u others"), gathered), rest, FALSE,
+                          tinker_pointed_block(TINKER_NO_BLOCK)};
     g_array_insert_val(account->entries, account->entries->len - 1, others);
 }
 
@@ -202,8 +228,7 @@ static const double *colour_of(const Drawing *drawing, const Entry *entry)
 
 static void draw_bar(Drawing *drawing, const Entry *entry, const double ends[2], double y, double height)
 {
-    const TinkerBlockId lit = drawing->picture->lit;
-    const double share = lit == TINKER_NO_BLOCK || lit == entry->block ? 1 : FADED;
+    const double share = !drawing->some_lit || tinker_pointed_lights(drawing->picture->lit, &entry->what) ? 1 : FADED;
     const double left = fmin(ends[0], ends[1]), width = fabs(ends[1] - ends[0]);
     set_colour(drawing, colour_of(drawing, entry), share);
     cairo_rectangle(drawing->cairo, left, y - height / 2, fmax(width, 1), height);
@@ -220,11 +245,19 @@ static void draw_step(Drawing *drawing, double x, double y, double row)
     cairo_stroke(drawing->cairo);
 }
 
+/* What a row says; it reaches from `at` to the right end, so high. */
+static void add_spot(Drawing *drawing, const Entry *entry, const char *value, const double at[4])
+{
+    const double box[] = {at[0], at[1] - at[3] / 2, at[2], at[1] + at[3] / 2};
+    g_autofree char *text = g_strdup_printf("%s  %s", entry->name, value);
+    tinker_spots_add_box(drawing->picture->spots, box, entry->what, text);
+}
+
 static void draw_entries(Drawing *drawing, const Account *account, const double place[4], double row)
 {
     double range[2];
     g_autofree double *bars = bars_of(account, range);
-    const double from = place[0] + drawing->name_room, to = place[2] - VALUE_ROOM;
+    const double from = place[0] + drawing->name_room, to = place[2] - drawing->value_room;
     const double unit = range[1] > range[0] ? (to - from) / (range[1] - range[0]) : 0;
     const double zero = from - unit * range[0];
     draw_step(drawing, zero, place[1], row * account->entries->len);
@@ -232,9 +265,8 @@ static void draw_entries(Drawing *drawing, const Account *account, const double 
         const Entry *entry = &g_array_index(account->entries, Entry, i);
         const double y = place[1] + row * (i + 0.5),
                      ends[2] = {zero + unit * bars[2 * i], zero + unit * bars[2 * i + 1]};
-        const gboolean nothing = fabs(entry->value) <= NOTHING * account->balance->scale;
-        g_autofree char *value = quantity(drawing, nothing ? 0 : entry->value, account->dimension);
-        if (!nothing) draw_bar(drawing, entry, ends, y, BAR * row);
+        g_autofree char *value = quantity(drawing, entry->value, account->dimension);
+        if (entry->value != 0) draw_bar(drawing, entry, ends, y, BAR * row);
         if (i + 1 < account->entries->len) draw_step(drawing, ends[1], y, row);
         write_text(drawing,
                    (TinkerText){.text = entry->name,
@@ -247,6 +279,8 @@ static void draw_entries(Drawing *drawing, const Account *account, const double 
         write_text(drawing,
                    (TinkerText){.text = value, .size = TEXT, .bold = entry->total, .anchor_x = 1, .anchor_y = 0.5},
                    place[2], y);
+        if (entry->what.block != TINKER_NO_BLOCK)
+            add_spot(drawing, entry, value, (double[]){place[0], y, place[2], row});
     }
 }
 
@@ -275,22 +309,31 @@ static void draw_account(Drawing *drawing, Which which, const double place[4])
     g_array_unref(account.entries);
 }
 
-/* As much as the longest name takes, as long as bars and values have theirs. */
-static double name_room_of(Drawing *drawing, double width)
+static double width_of(Drawing *drawing, const char *text, gboolean bold)
 {
-    double longest = 0, height, each;
+    const TinkerText one = {.text = text, .size = TEXT, .bold = bold};
+    double width, height;
+    tinker_text_measure(&drawing->pen, &one, &width, &height);
+    return width;
+}
+
+/* Values have the room that the longest takes, names as much as bars leave them. */
+static void choose_rooms(Drawing *drawing, double width)
+{
+    double name = 0, value = 0;
     for (int which = 0; which < ACCOUNTS; which++) {
         Account account = account_of(drawing->picture, (Which)which);
         for (guint i = 0; i < account.entries->len; i++) {
             const Entry *entry = &g_array_index(account.entries, Entry, i);
-            const TinkerText name = {.text = entry->name, .size = TEXT, .bold = entry->total};
-            tinker_text_measure(&drawing->pen, &name, &each, &height);
-            longest = fmax(longest, each);
+            g_autofree char *text = quantity(drawing, entry->value, account.dimension);
+            name = fmax(name, width_of(drawing, entry->name, entry->total));
+            value = fmax(value, width_of(drawing, text, entry->total));
         }
         g_free(account.title);
         g_array_unref(account.entries);
     }
-    return fmin(longest + EDGE, fmax(width - VALUE_ROOM - LEAST_BARS, width / 4));
+    drawing->value_room = value + VALUE_GAP;
+    drawing->name_room = fmin(name + EDGE, fmax(width - drawing->value_room - LEAST_BARS, width / 4));
 }
 
 static char *title_of(const Drawing *drawing)
@@ -304,6 +347,15 @@ static char *title_of(const Drawing *drawing)
     g_autofree char *from = quantity(drawing, picture->books->from, seconds);
     g_autofree char *to = quantity(drawing, picture->books->to, seconds);
     return g_strdup_printf(_("Books of %s, from %s to %s"), names->str, from, to);
+}
+
+static gboolean any_is_lit(const TinkerBooksPicture *picture)
+{
+    for (guint i = 0; i < picture->books->entries->len; i++) {
+        const TinkerPointed thing = thing_of(picture, &g_array_index(picture->books->entries, TinkerBookEntry, i));
+        if (tinker_pointed_lights(picture->lit, &thing)) return TRUE;
+    }
+    return FALSE;
 }
 
 /* Names and the interval, in two lines where one is too short; answers how high it is. */
@@ -326,7 +378,8 @@ void tinker_books_draw(cairo_t *cairo, double width, double height, void *data)
     cairo_paint(cairo);
     const double top = 1.5 * EDGE + draw_title(&drawing, width), column = (width - 2 * EDGE * columns) / columns,
                  line = (height - top) * columns / ACCOUNTS;
-    drawing.name_room = name_room_of(&drawing, column);
+    choose_rooms(&drawing, column);
+    drawing.some_lit = any_is_lit(drawing.picture);
     for (int which = 0; which < ACCOUNTS; which++) {
         const double left = EDGE + (which % columns) * (column + 2 * EDGE), above = top + (which / columns) * line;
         draw_account(&drawing, (Which)which, (double[]){left, above, left + column, above + line - EDGE / 2});

@@ -5,6 +5,7 @@
 
 #include <cairo.h>
 
+#include "common/overlay/pointed.h"
 #include "equations/balance/books.h"
 #include "render/draw/theme.h"
 
@@ -14,7 +15,8 @@ typedef struct {
     const TinkerBooks *books;
     const TinkerBlockId *bodies; /* that they are of, ended by TINKER_NO_BLOCK */
     const TinkerTheme *theme;
-    TinkerBlockId lit; /* whose bars are looked at; TINKER_NO_BLOCK: no block's more than others' */
+    const TinkerPointed *lit; /* whose bars stand out from others, where there are any; NULL: nobody's */
+    GArray *spots;            /* of TinkerSpot: receives where rows of forces are; NULL: nobody asks */
 } TinkerBooksPicture;
 
 /* Draws them over all of width and height; `data` is a TinkerBooksPicture. */

@@ -80,15 +80,28 @@ static char *label_of(const DiagramPart *part, const char *name, const double fo
     return g_strdup_printf("%s  %s", name, value);
 }
 
+static gboolean is_lit(const DiagramDrawing *drawing, guint number)
+{
+    const TinkerPointed thing = diagram_pointed(&g_array_index(drawing->forces, TinkerDiagramForce, number));
+    return tinker_pointed_lights(drawing->picture->lit, &thing);
+}
+
+static gboolean any_is_lit(const DiagramDrawing *drawing)
+{
+    for (guint i = 0; i < drawing->forces->len; i++)
+        if (is_lit(drawing, i)) return TRUE;
+    return FALSE;
+}
+
 void diagram_add_forces(DiagramPart *part)
 {
     const DiagramDrawing *drawing = part->drawing;
+    const gboolean some_lit = any_is_lit(drawing);
     for (guint i = 0; i < drawing->forces->len; i++) {
         const TinkerDiagramForce *force = &g_array_index(drawing->forces, TinkerDiagramForce, i);
-        const TinkerBlockId lit = drawing->picture->lit;
         g_autofree char *name = drawing->numbered ? g_strdup_printf("%u", i + 1) : diagram_force_name(drawing, force);
         add_arrow(part, force->point, force->force, pushes(drawing, force), diagram_arrow_kind(force->kind),
-                  lit != TINKER_NO_BLOCK && lit != force->from, label_of(part, name, force->force));
+                  some_lit && !is_lit(drawing, i), label_of(part, name, force->force));
     }
 }
 
@@ -97,4 +110,19 @@ void diagram_add_resultant(DiagramPart *part)
     const TinkerDiagram *diagram = part->drawing->picture->diagram;
     add_arrow(part, diagram->centre, diagram->kinetic, FALSE, TINKER_ARROW_MOTION, FALSE,
               label_of(part, "m a", diagram->kinetic));
+}
+
+void diagram_add_spots(const DiagramPart *part, const GArray *places, const double at[2])
+{
+    const DiagramDrawing *drawing = part->drawing;
+    GArray *spots = drawing->picture->spots;
+    const guint first = spots->len;
+    for (guint i = 0; i < places->len; i++) {
+        const TinkerArrowPlace *place = &g_array_index(places, TinkerArrowPlace, i);
+        const TinkerDiagramForce *force = &g_array_index(drawing->forces, TinkerDiagramForce, place->number);
+        g_autofree char *name = diagram_force_name(drawing, force), *text = label_of(part, name, force->force);
+        tinker_spots_add_line(spots, place->shaft, diagram_pointed(force), text);
+        if (place->label[2] > place->label[0]) tinker_spots_add_box(spots, place->label, diagram_pointed(force), text);
+    }
+    tinker_spots_move(spots, first, at[0], at[1]);
 }

@@ -9,6 +9,7 @@
 #define NARROW    560.0 /* canvas units: below it partners are left out, */
 #define NARROWEST 330.0 /* and below this what is along x and y */
 #define INDENT    14.0  /* of names, behind the colour of their arrow */
+#define LIT       0.2   /* of its colour, the ground of what is pointed at */
 #define GAP       8.0   /* from a name to what stands behind it */
 
 /* The list --------------------------------------------------------------------------------------------------------- */
@@ -19,8 +20,9 @@ typedef struct {
     const double *colour; /* NULL: none */
     char *texts[COLUMNS];
     gboolean bold;
-    int lines;   /* that it may take; 0 is one */
-    double room; /* canvas units: for its name */
+    int lines;                    /* that it may take; 0 is one */
+    double room;                  /* canvas units: for its name */
+    const TinkerDiagramForce *of; /* NULL: of none */
 } ListRow;
 
 static void list_row_clear(gpointer data)
@@ -31,23 +33,27 @@ static void list_row_clear(gpointer data)
 }
 
 static void add_row(const DiagramDrawing *drawing, GArray *rows, char *name, const double force[2],
-                    const double *colour, char *partner)
+                    const double *colour, char *partner, const TinkerDiagramForce *of)
 {
     const double least = NOTHING * diagram_greatest_force(drawing->picture->diagram);
     double shown[2]; /* without what rounding leaves */
     for (int axis = 0; axis < 2; axis++)
         shown[axis] = fabs(force[axis]) > least ? force[axis] : 0;
-    const ListRow row = {colour,
-                         {name, diagram_force_text(drawing, shown[0]), diagram_force_text(drawing, shown[1]),
-                          diagram_force_text(drawing, diagram_strength(force)), partner}};
+    const ListRow row = {.colour = colour,
+                         .texts = {name, diagram_force_text(drawing, shown[0]), diagram_force_text(drawing, shown[1]),
+                                   diagram_force_text(drawing, diagram_strength(force)), partner},
+                         .of = of};
     g_array_append_val(rows, row);
 }
 
 /* What turns a body stands with its size alone. */
-static void add_torque(const DiagramDrawing *drawing, GArray *rows, char *name, double torque, const double *colour)
+static void add_torque(const DiagramDrawing *drawing, GArray *rows, char *name, double torque, const double *colour,
+                       const TinkerDiagramForce *of)
 {
-    const ListRow row = {colour,
-                         {name, g_strdup(""), g_strdup(""), diagram_torque_text(drawing, torque), g_strdup("")}};
+    const ListRow row = {
+        .colour = colour,
+        .texts = {name, g_strdup(""), g_strdup(""), diagram_torque_text(drawing, torque), g_strdup("")},
+        .of = of};
     g_array_append_val(rows, row);
 }
 
@@ -60,7 +66,7 @@ static void add_torques(const DiagramDrawing *drawing, GArray *rows)
             drawing->numbered ? g_strdup_printf("%u  ", drawing->forces->len + i + 1) : g_strdup("");
         g_autofree char *name = g_strdup_printf(_("%s, torque"), from);
         add_torque(drawing, rows, g_strconcat(number, name, NULL), torque->torque,
-                   tinker_arrow_colour(drawing->picture->theme, diagram_arrow_kind(torque->kind)));
+                   tinker_arrow_colour(drawing->picture->theme, diagram_arrow_kind(torque->kind)), torque);
     }
 }
 
@@ -105,6 +111,26 @@ static const double *ends_of(double width)
     return width < NARROWEST ? narrowest : width < NARROW ? narrow : wide;
 }
 
+/* Canvas units: where columns end or begin, at their places as long as no number reaches into another: then those
+ * before it make way to the left. */
+static void place_columns(DiagramDrawing *drawing, const GArray *rows, double width, double places[COLUMNS])
+{
+    const double *ends = ends_of(width);
+    double next = width;
+    for (int k = 0; k < COLUMNS; k++)
+        places[k] = ends[k] < 0 ? -1 : ends[k] * width;
+    for (int k = SIZE; k >= ALONG_X; k--) {
+        double widest = 0;
+        if (places[k] < 0) continue;
+        for (guint i = 0; i < rows->len; i++) {
+            const ListRow *row = &g_array_index(rows, ListRow, i);
+            if (row->texts[k] != NULL) widest = fmax(widest, diagram_text_width(drawing, row->texts[k], row->bold));
+        }
+        places[k] = fmin(places[k], next);
+        next = places[k] - widest - GAP;
+    }
+}
+
 /* Canvas units: of the column of partners. */
 static double partner_room(double width)
 {
@@ -114,17 +140,18 @@ static double partner_room(double width)
 /* A name has the room up to the first number of its row; it, and a partner, have two lines where they are longer. */
 static void fit_names(DiagramDrawing *drawing, GArray *rows, double width)
 {
-    const double *ends = ends_of(width);
+    double places[COLUMNS];
+    place_columns(drawing, rows, width, places);
     for (guint i = 0; i < rows->len; i++) {
         ListRow *row = &g_array_index(rows, ListRow, i);
         double end = width;
         if (row->texts[ALONG_X] == NULL) continue; /* a note */
         for (int k = ALONG_X; k <= SIZE; k++)
-            if (ends[k] >= 0 && row->texts[k][0] != '\0')
-                end = fmin(end, ends[k] * width - diagram_text_width(drawing, row->texts[k], row->bold));
+            if (places[k] >= 0 && row->texts[k][0] != '\0')
+                end = fmin(end, places[k] - diagram_text_width(drawing, row->texts[k], row->bold));
         row->room = fmax(end - DIAGRAM_EDGE - INDENT - GAP, 1);
         const gboolean long_partner =
-            ends[PARTNER] >= 0 && diagram_text_width(drawing, row->texts[PARTNER], row->bold) > partner_room(width);
+            places[PARTNER] >= 0 && diagram_text_width(drawing, row->texts[PARTNER], row->bold) > partner_room(width);
         const gboolean long_name = diagram_text_width(drawing, row->texts[NAME], row->bold) > row->room;
         row->lines = long_name || long_partner ? 2 : 1;
     }
@@ -142,7 +169,7 @@ static GArray *list_of(DiagramDrawing *drawing, double width, ListChoice choice)
     for (guint i = 0; i < drawing->forces->len && i < most; i++) {
         const TinkerDiagramForce *force = &g_array_index(drawing->forces, TinkerDiagramForce, i);
         add_row(drawing, rows, name_of(drawing, i), force->force,
-                tinker_arrow_colour(theme, diagram_arrow_kind(force->kind)), partner_of(drawing, force));
+                tinker_arrow_colour(theme, diagram_arrow_kind(force->kind)), partner_of(drawing, force), force);
     }
     if (drawing->forces->len > most) {
         const ListRow more = {NULL, {g_strdup_printf(_("and %u more"), drawing->forces->len - most)}};
@@ -153,10 +180,10 @@ static GArray *list_of(DiagramDrawing *drawing, double width, ListChoice choice)
         static const double none[2] = {0, 0};
         add_row(drawing, rows, g_strdup(width < NARROWEST ? "= m a" : _("together = m a")),
                 diagram_has_resultant(diagram) ? diagram->kinetic : none,
-                tinker_arrow_colour(theme, TINKER_ARROW_MOTION), g_strdup(""));
+                tinker_arrow_colour(theme, TINKER_ARROW_MOTION), g_strdup(""), NULL);
         if (!isnan(diagram->inertia))
             add_torque(drawing, rows, g_strdup("I α"), diagram_has_turning(diagram) ? diagram->turning : 0,
-                       tinker_arrow_colour(theme, TINKER_ARROW_MOTION));
+                       tinker_arrow_colour(theme, TINKER_ARROW_MOTION), NULL);
     }
     g_autoptr(GPtrArray) notes = diagram_notes(drawing);
     for (guint i = 0; choice.notes && i < notes->len; i++) {
@@ -181,9 +208,30 @@ double diagram_list_height(DiagramDrawing *drawing, double width)
     return height_of(rows);
 }
 
-static void draw_row(DiagramDrawing *drawing, const ListRow *row, double width, double y)
+/* What the row says, and where it is. */
+static void add_spot(DiagramDrawing *drawing, const ListRow *row, double width, double y)
 {
-    const double *ends = ends_of(width);
+    const double half = DIAGRAM_ROW * MAX(row->lines, 1) / 2, box[] = {0, y - half, width, y + half};
+    g_autofree char *name = diagram_force_name(drawing, row->of);
+    g_autofree char *text = g_strdup_printf("%s  %s", name, row->texts[SIZE]);
+    tinker_spots_add_box(drawing->picture->spots, box, diagram_pointed(row->of), text);
+}
+
+/* The ground of what is pointed at. */
+static void draw_lit(DiagramDrawing *drawing, double width, double y, double height)
+{
+    const double *colour = drawing->picture->theme->colours[TINKER_COLOUR_SELECTED];
+    cairo_set_source_rgba(drawing->cairo, colour[0], colour[1], colour[2], LIT);
+    cairo_rectangle(drawing->cairo, DIAGRAM_EDGE / 2, y - height / 2, width - DIAGRAM_EDGE, height);
+    cairo_fill(drawing->cairo);
+}
+
+static void draw_row(DiagramDrawing *drawing, const ListRow *row, const double places[COLUMNS], double width, double y)
+{
+    const TinkerPointed thing = row->of != NULL ? diagram_pointed(row->of) : tinker_pointed_block(TINKER_NO_BLOCK);
+    if (tinker_pointed_lights(drawing->picture->lit, &thing))
+        draw_lit(drawing, width, y, DIAGRAM_ROW * MAX(row->lines, 1));
+    if (row->of != NULL && drawing->picture->spots != NULL) add_spot(drawing, row, width, y);
     const gboolean whole = row->texts[ALONG_X] == NULL;
     if (row->colour != NULL) {
         diagram_set_colour(drawing->cairo, row->colour);
@@ -192,7 +240,7 @@ static void draw_row(DiagramDrawing *drawing, const ListRow *row, double width, 
     }
     for (int k = 0; k < COLUMNS; k++) {
         const gboolean number = k >= ALONG_X && k <= SIZE;
-        if (row->texts[k] == NULL || ends[k] < 0) continue;
+        if (row->texts[k] == NULL || places[k] < 0) continue;
         const double limit = whole          ? width - 2 * DIAGRAM_EDGE
                              : k == NAME    ? row->room
                              : k == PARTNER ? partner_room(width)
@@ -205,7 +253,7 @@ static void draw_row(DiagramDrawing *drawing, const ListRow *row, double width, 
                                    .lines = number ? 1 : row->lines,
                                    .anchor_x = number,
                                    .anchor_y = 0.5},
-                      k == NAME ? DIAGRAM_EDGE + (whole ? 0 : INDENT) : ends[k] * width, y);
+                      k == NAME ? DIAGRAM_EDGE + (whole ? 0 : INDENT) : places[k], y);
     }
 }
 
@@ -220,11 +268,14 @@ void diagram_draw_list(DiagramDrawing *drawing, const double place[4])
         g_array_unref(rows);
         rows = list_of(drawing, width, choice);
     }
-    double y = place[1];
+    double y = place[1], places[COLUMNS];
+    place_columns(drawing, rows, width, places);
     for (guint i = 0; i < rows->len; i++) {
         const ListRow *row = &g_array_index(rows, ListRow, i);
         const double height = DIAGRAM_ROW * MAX(row->lines, 1);
-        draw_row(drawing, row, width, y + height / 2);
+        cairo_save(drawing->cairo);
+        draw_row(drawing, row, places, width, y + height / 2);
+        cairo_restore(drawing->cairo);
         y += height;
     }
     g_array_unref(rows);

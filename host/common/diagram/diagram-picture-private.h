@@ -43,6 +43,7 @@ typedef struct {
 typedef struct {
     double at[2], least, labels[4];
     guint count;
+    gboolean bare; /* the resultant is without its value, which the list has */
 } DiagramTurns;
 
 void diagram_begin(DiagramDrawing *drawing, const TinkerDiagramPicture *picture, cairo_t *cairo);
@@ -68,6 +69,7 @@ gboolean diagram_is_of_contact(const TinkerDiagramForce *force);
 /* "Floor (Normal force)": of what touches there are two forces. (transfer full) */
 char *diagram_force_name(const DiagramDrawing *drawing, const TinkerDiagramForce *force);
 TinkerArrowKind diagram_arrow_kind(TinkerTermKind kind);
+TinkerPointed diagram_pointed(const TinkerDiagramForce *force);
 /* (transfer full) */
 GPtrArray *diagram_notes(const DiagramDrawing *drawing);
 
@@ -79,9 +81,10 @@ GArray *diagram_drawn_boxes(const DiagramDrawing *drawing, const TinkerView *vie
 double diagram_body_room(const DiagramDrawing *drawing);
 void diagram_draw_bodies(DiagramDrawing *drawing, const TinkerView *view);
 
-/* diagram-arrows.c: adds the arrows of a part. */
+/* diagram-arrows.c: adds the arrows of a part; notes where those of forces were drawn, in a part at this place. */
 void diagram_add_forces(DiagramPart *part);
 void diagram_add_resultant(DiagramPart *part);
+void diagram_add_spots(const DiagramPart *part, const GArray *places, const double at[2]);
 
 /* diagram-turns.c: where turning arrows and their labels have room beside the arrows of the part; and draws them. */
 DiagramTurns diagram_turns(const DiagramPart *part, gboolean kinetic);

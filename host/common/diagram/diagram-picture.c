@@ -34,6 +34,8 @@ static void draw_part(DiagramDrawing *drawing, const double place[4], const char
     memcpy(taken[1], turns.labels, sizeof taken[1]);
     g_autoptr(GArray) drawn = diagram_drawn_boxes(drawing, &view);
     const double reach = turns.least + DIAGRAM_TURN_STEP * turns.count;
+    g_autoptr(GArray) places = g_array_new(FALSE, FALSE, sizeof(TinkerArrowPlace));
+    const gboolean tells = !kinetic && drawing->picture->spots != NULL;
     const double arcs[] = {turns.at[0] - reach, turns.at[1] - reach, turns.at[0] + reach, turns.at[1] + reach};
     if (turns.count > 0) g_array_append_vals(drawn, arcs, 1);
     const TinkerArrowOptions options = {.theme = drawing->picture->theme,
@@ -42,7 +44,8 @@ static void draw_part(DiagramDrawing *drawing, const double place[4], const char
                                         .taken_count = turns.count > 0 ? 2 : 1,
                                         .drawn = (const double(*)[4])(gpointer)drawn->data,
                                         .drawn_count = (int)drawn->len,
-                                        .roomy = TRUE};
+                                        .roomy = TRUE,
+                                        .places = tells ? places : NULL};
     cairo_save(drawing->cairo);
     cairo_rectangle(drawing->cairo, place[0], place[1], width, height);
     cairo_clip(drawing->cairo);
@@ -50,6 +53,7 @@ static void draw_part(DiagramDrawing *drawing, const double place[4], const char
     diagram_draw_bodies(drawing, &view);
     tinker_arrows_draw(drawing->cairo, &view, (const TinkerForceArrow *)(gpointer)part.arrows->data, part.arrows->len,
                        &options);
+    if (tells) diagram_add_spots(&part, places, place);
     diagram_draw_turns(&part, &turns, kinetic);
     diagram_write(drawing, (TinkerText){.text = heading, .size = DIAGRAM_TEXT, .bold = TRUE, .anchor_x = 0.5},
                   width / 2, 0);

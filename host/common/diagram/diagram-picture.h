@@ -5,6 +5,7 @@
 
 #include <cairo.h>
 
+#include "common/overlay/pointed.h"
 #include "equations/balance/diagram.h"
 #include "render/draw/theme.h"
 #include "scene/frame/frame.h"
@@ -18,8 +19,13 @@ typedef struct {
     const TinkerBlockId *blocks; /* that it is of, ended by TINKER_NO_BLOCK */
     TinkerDiagramKind kind;
     const TinkerTheme *theme;
-    TinkerBlockId lit; /* of whose forces the arrows are looked at; TINKER_NO_BLOCK: of none more than of others */
+    const TinkerPointed *lit; /* whose arrows stand out from others, where there are any; NULL: nobody's */
+    GArray
+        *spots; /* of TinkerSpot: receives where forces and torques are, in the order of the list; NULL: nobody asks */
 } TinkerDiagramPicture;
+
+/* The force that a term of a body's equation, or an arrow of its diagram, stands for. */
+TinkerPointed tinker_diagram_pointed(TinkerBlockId from, TinkerBlockId on, TinkerTermKind kind);
 
 /* A frame at a state, as a picture wants it. (transfer full) */
 TinkerFrame *tinker_diagram_frame(TinkerScene *scene, const TinkerModelState *state, GError **error);

@@ -103,6 +103,33 @@ static double way_of(const DiagramPart *part, double beside, double middle, doub
     return 0;
 }
 
+/* Moves a box of the canvas to the side, within the part, where no arrow crosses it. FALSE: nowhere. */
+static gboolean make_way(const DiagramPart *part, double box[4])
+{
+    const double half = (box[2] - box[0]) / 2 + 0.5 * TURN_HEAD, steps[] = {0, half, -half};
+    for (gsize i = 0; i < G_N_ELEMENTS(steps); i++) {
+        const double moved[] = {box[0] + steps[i], box[1], box[2] + steps[i], box[3]};
+        if (moved[0] < 0 || moved[2] > part->view->width || is_crossed(part, moved)) continue;
+        memcpy(box, moved, sizeof moved);
+        return TRUE;
+    }
+    return FALSE;
+}
+
+/* The box of the resultant's label, whose top is at `y`: with its value, or without where that would be crossed. */
+static void place_resultant(const DiagramPart *part, DiagramTurns *turns, double y)
+{
+    for (int bare = 0; bare < 2; bare++) {
+        g_autofree char *label =
+            bare ? g_strdup("I α") : turn_label_of(part->drawing, "I α", part->drawing->picture->diagram->turning);
+        const double half = diagram_text_width(part->drawing, label, FALSE) / 2 + 0.5 * TURN_HEAD;
+        const double box[] = {turns->at[0] - half, y, turns->at[0] + half, y + DIAGRAM_ROW};
+        turns->bare = bare;
+        memcpy(turns->labels, box, sizeof box);
+        if (make_way(part, turns->labels)) return;
+    }
+}
+
 DiagramTurns diagram_turns(const DiagramPart *part, gboolean kinetic)
 {
     const TinkerDiagram *diagram = part->drawing->picture->diagram;
@@ -112,16 +139,14 @@ DiagramTurns diagram_turns(const DiagramPart *part, gboolean kinetic)
                                                                   : 0};
     tinker_view_to_canvas(part->view, diagram->centre[0], diagram->centre[1], &turns.at[0], &turns.at[1]);
     const double half = 0.5 * DIAGRAM_ROW * turns.count, least = turns.least;
-    g_autofree char *resultant = turn_label_of(part->drawing, "I α", diagram->turning);
-    const double half_label = diagram_text_width(part->drawing, resultant, FALSE) / 2 + 0.5 * TURN_HEAD;
     const double beside = turns.at[0] + least + DIAGRAM_TURN_STEP * turns.count;
     const double middle = turns.at[1] + (kinetic ? 0 : way_of(part, beside, turns.at[1], half));
     /* below, where the arc is open, or above where the resultant points there */
     const double above = turns.at[1] - least - 1.5 * DIAGRAM_ROW;
     const double y = diagram->kinetic[1] < 0 && above > DIAGRAM_HEADING ? above : turns.at[1] + least;
-    const double boxes[2][4] = {{beside, middle - half, part->view->width, middle + half},
-                                {turns.at[0] - half_label, y, turns.at[0] + half_label, y + DIAGRAM_ROW}};
-    if (turns.count > 0) memcpy(turns.labels, boxes[kinetic], sizeof turns.labels);
+    const double box[] = {beside, middle - half, part->view->width, middle + half};
+    if (turns.count > 0 && !kinetic) memcpy(turns.labels, box, sizeof box);
+    if (turns.count > 0 && kinetic) place_resultant(part, &turns, y);
     return turns;
 }
 
@@ -132,9 +157,10 @@ void diagram_draw_turns(const DiagramPart *part, const DiagramTurns *turns, gboo
     if (kinetic && turns->count > 0) {
         draw_turn(drawing->cairo, turns->at, turns->least, drawing->picture->diagram->turning,
                   tinker_arrow_colour(theme, TINKER_ARROW_MOTION));
-        g_autofree char *label = turn_label_of(drawing, "I α", drawing->picture->diagram->turning);
-        diagram_write(drawing, (TinkerText){.text = label, .size = DIAGRAM_TEXT, .anchor_x = 0.5}, turns->at[0],
-                      turns->labels[1]);
+        g_autofree char *label =
+            turns->bare ? g_strdup("I α") : turn_label_of(drawing, "I α", drawing->picture->diagram->turning);
+        diagram_write(drawing, (TinkerText){.text = label, .size = DIAGRAM_TEXT, .anchor_x = 0.5},
+                      (turns->labels[0] + turns->labels[2]) / 2, turns->labels[1]);
     }
     for (guint i = 0; !kinetic && i < turns->count; i++) {
         const TinkerDiagramForce *torque = &g_array_index(drawing->torques, TinkerDiagramForce, i);

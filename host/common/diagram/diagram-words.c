@@ -115,6 +115,19 @@ char *diagram_torque_text(const DiagramDrawing *drawing, double newton_metres)
     return load_text(drawing, newton_metres, TRUE);
 }
 
+TinkerPointed tinker_diagram_pointed(TinkerBlockId from, TinkerBlockId on, TinkerTermKind kind)
+{
+    const TinkerPointedPart part = kind == TINKER_TERM_NORMAL     ? TINKER_POINTED_NORMAL
+                                   : kind == TINKER_TERM_FRICTION ? TINKER_POINTED_FRICTION
+                                                                  : TINKER_POINTED_WHOLE;
+    return (TinkerPointed){from, on, part};
+}
+
+TinkerPointed diagram_pointed(const TinkerDiagramForce *force)
+{
+    return tinker_diagram_pointed(force->from, force->on, force->kind);
+}
+
 TinkerArrowKind diagram_arrow_kind(TinkerTermKind kind)
 {
     static const TinkerArrowKind kinds[] = {

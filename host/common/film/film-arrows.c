@@ -124,8 +124,7 @@ static void begin_drawing(TinkerFilmArrows *arrows)
                                         .at_start = arrows->first,
                                         .greatest = arrows->greatest,
                                         .texts = arrows->texts,
-                                        .marks = arrows->marks,
-                                        .lit = TINKER_NO_BLOCK};
+                                        .marks = arrows->marks};
 }
 
 void tinker_film_arrows_dress(TinkerFilmArrows *arrows, gsize picture, TinkerFrame *frame, TinkerPaintOptions *paint)

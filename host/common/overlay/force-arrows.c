@@ -178,21 +178,32 @@ static GArray *taken_boxes(const TinkerForceArrows *forces, const Key *key, cons
     return taken;
 }
 
-/* By a block, or on one. */
-static gboolean is_of(const TinkerActingForce *force, TinkerBlockId block)
+static TinkerPointed pointed_of(const TinkerActingForce *force)
 {
-    return force->by == block || force->on == block;
+    const TinkerPointedPart part = force->kind == TINKER_ACTING_NORMAL     ? TINKER_POINTED_NORMAL
+                                   : force->kind == TINKER_ACTING_FRICTION ? TINKER_POINTED_FRICTION
+                                                                           : TINKER_POINTED_WHOLE;
+    return (TinkerPointed){force->by, force->on, part};
+}
+
+/* By a block, or on one; of a single force that alone. */
+static gboolean is_lit(const TinkerForceArrows *forces, const TinkerActingForce *force)
+{
+    const TinkerPointed thing = pointed_of(force);
+    if (forces->lit == NULL || forces->lit->block == TINKER_NO_BLOCK) return FALSE;
+    const gboolean on_it = !tinker_pointed_is_force(forces->lit) && force->on == forces->lit->block;
+    return on_it || tinker_pointed_lights(forces->lit, &thing);
 }
 
 static gboolean any_is_lit(const TinkerForceArrows *forces)
 {
-    for (guint i = 0; forces->lit != TINKER_NO_BLOCK && i < forces->acting->len; i++)
-        if (is_of(&g_array_index(forces->acting, TinkerActingForce, i), forces->lit)) return TRUE;
+    for (guint i = 0; i < forces->acting->len; i++)
+        if (is_lit(forces, &g_array_index(forces->acting, TinkerActingForce, i))) return TRUE;
     return FALSE;
 }
 
 /* Lengths are canvas units from here on, since vectors have scales of their own. */
-static void add_forces(const TinkerForceArrows *forces, GArray *arrows, GPtrArray *labels)
+static void add_forces(const TinkerForceArrows *forces, GArray *arrows, GPtrArray *labels, GArray *things)
 {
     const gboolean some_lit = any_is_lit(forces);
     for (guint i = 0; forces->pixels > 0 && i < forces->acting->len; i++) {
@@ -205,12 +216,15 @@ static void add_forces(const TinkerForceArrows *forces, GArray *arrows, GPtrArra
                                   .fy = forces->pixels * force->fy,
                                   .label = label,
                                   .kind = kinds[kind_of(force->kind)].arrow};
-        if (some_lit && !is_of(force, forces->lit)) arrow.look = TINKER_ARROW_FADED;
+        if (some_lit && !is_lit(forces, force)) arrow.look = TINKER_ARROW_FADED;
+        const TinkerPointed thing = pointed_of(force);
         g_array_append_val(arrows, arrow);
+        g_array_append_val(things, thing);
     }
 }
 
-static void add_vectors(const TinkerForceArrows *forces, GArray *arrows, GPtrArray *labels)
+/* They light up their body. */
+static void add_vectors(const TinkerForceArrows *forces, GArray *arrows, GPtrArray *labels, GArray *things)
 {
     const TinkerUnitSystem system = tinker_scene_head(forces->scene)->units;
     for (guint i = 0; forces->vectors != NULL && i < forces->vectors->len; i++) {
@@ -229,7 +243,21 @@ static void add_vectors(const TinkerForceArrows *forces, GArray *arrows, GPtrArr
                                         .fy = pixels * vector->value_y,
                                         .label = label,
                                         .kind = look->arrow};
+        const TinkerPointed thing = tinker_pointed_block(vector->of);
         g_array_append_val(arrows, arrow);
+        g_array_append_val(things, thing);
+    }
+}
+
+/* Where what lies. */
+static void add_spots(const TinkerForceArrows *forces, const GArray *arrows, const GArray *things, const GArray *places)
+{
+    for (guint i = 0; i < places->len; i++) {
+        const TinkerArrowPlace *place = &g_array_index(places, TinkerArrowPlace, i);
+        const TinkerPointed thing = g_array_index(things, TinkerPointed, place->number);
+        const char *label = g_array_index(arrows, TinkerForceArrow, place->number).label;
+        tinker_spots_add_line(forces->spots, place->shaft, thing, label);
+        if (place->label[2] > place->label[0]) tinker_spots_add_box(forces->spots, place->label, thing, label);
     }
 }
 
@@ -238,16 +266,20 @@ void tinker_force_arrows_draw(const TinkerForceArrows *forces, cairo_t *cairo, c
 {
     g_autoptr(GPtrArray) labels = g_ptr_array_new_with_free_func(g_free);
     g_autoptr(GArray) arrows = g_array_new(FALSE, FALSE, sizeof(TinkerForceArrow));
-    add_forces(forces, arrows, labels);
-    add_vectors(forces, arrows, labels);
+    g_autoptr(GArray) things = g_array_new(FALSE, FALSE, sizeof(TinkerPointed));
+    g_autoptr(GArray) places = g_array_new(FALSE, FALSE, sizeof(TinkerArrowPlace));
+    add_forces(forces, arrows, labels, things);
+    add_vectors(forces, arrows, labels, things);
     Key key;
     key_init(&key, forces, view, arrows, theme);
     g_autoptr(GArray) taken = taken_boxes(forces, &key, view, theme);
     const TinkerArrowOptions options = {.theme = theme,
                                         .scale = 1 / view->scale,
                                         .taken = (const double(*)[4])(gpointer)taken->data,
-                                        .taken_count = (int)taken->len};
+                                        .taken_count = (int)taken->len,
+                                        .places = forces->spots != NULL ? places : NULL};
     tinker_arrows_draw(cairo, view, (const TinkerForceArrow *)(gpointer)arrows->data, arrows->len, &options);
+    add_spots(forces, arrows, things, places);
     tinker_arrows_draw_key(cairo, view, theme, &key.key, NULL);
     g_ptr_array_unref(key.labels);
 }

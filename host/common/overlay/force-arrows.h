@@ -5,6 +5,7 @@
 #include <cairo.h>
 
 #include "common/overlay/motion-vectors.h"
+#include "common/overlay/pointed.h"
 #include "physics/run/acting-forces.h"
 #include "render/draw/theme.h"
 #include "render/draw/view.h"
@@ -20,10 +21,11 @@ typedef struct {
     double pixels;          /* canvas units per N, of net forces too; 0: not known yet */
     const GArray *vectors;  /* of TinkerMotionVector, to be shown beside them; NULL: none */
     double vector_pixels[TINKER_VECTOR_KINDS]; /* canvas units per m/s and m/s^2; 0: not known yet */
-    const double *greatest; /* of the kinds over the run, SI, whose scale the vectors have; NULL: their own */
-    const GPtrArray *texts; /* of TinkerWrittenText: what labels keep clear of; NULL: nothing */
-    const char *marks;      /* for the key: the time between marks of paths; NULL: there are none */
-    TinkerBlockId lit;      /* whose forces stand out from others, where any are shown; TINKER_NO_BLOCK: nobody's */
+    const double *greatest;   /* of the kinds over the run, SI, whose scale the vectors have; NULL: their own */
+    const GPtrArray *texts;   /* of TinkerWrittenText: what labels keep clear of; NULL: nothing */
+    const char *marks;        /* for the key: the time between marks of paths; NULL: there are none */
+    const TinkerPointed *lit; /* whose forces stand out from others, where any are shown; NULL: nobody's */
+    GArray *spots;            /* of TinkerSpot: receives where what was drawn; NULL: nobody asks */
 } TinkerForceArrows;
 
 /* What a kind of arrow is called, in a word. */

@@ -139,6 +139,23 @@ void tinker_canvas_show_first(TinkerCanvas *canvas)
     fit_box(canvas, box, 0, room_above(canvas));
 }
 
+/* With graphs that float by now. */
+static void show_fitted_again(TinkerCanvas *canvas)
+{
+    const double above = fmin(canvas->fitted_above, room_above(canvas));
+    double box[4];
+    memcpy(box, canvas->fitted, sizeof box);
+    if (canvas->document != NULL) include_graphs(tinker_document_scene(canvas->document), box);
+    show_box(canvas, box, canvas->fitted_margin, above);
+    canvas->fitted_above = above;
+    canvas->view_is_fitted = TRUE;
+}
+
+gboolean tinker_canvas_is_fitted(TinkerCanvas *canvas)
+{
+    return canvas->view_is_fitted;
+}
+
 void canvas_set_size(TinkerCanvas *canvas, int width, int height)
 {
     if (width == (int)canvas->view.width && height == (int)canvas->view.height) return;
@@ -148,7 +165,7 @@ void canvas_set_size(TinkerCanvas *canvas, int width, int height)
     if (!canvas->view_is_set && canvas->document != NULL)
         tinker_canvas_show_first(canvas);
     else if (canvas->view_is_fitted)
-        fit_box(canvas, canvas->fitted, canvas->fitted_margin, fmin(canvas->fitted_above, room_above(canvas)));
+        show_fitted_again(canvas);
     else
         canvas_view_changed(canvas);
 }

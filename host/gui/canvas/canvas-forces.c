@@ -17,18 +17,21 @@ struct _CanvasForces {
     gboolean start_is_known_empty; /* no force acts at the start of that revision */
     CanvasVectors *vectors;
     double vector_pixels[TINKER_VECTOR_KINDS]; /* canvas units per SI unit, likewise */
+    GArray *spots;                             /* of TinkerSpot: where what was drawn last */
 };
 
 CanvasForces *canvas_forces_new(void)
 {
     CanvasForces *forces = g_new0(CanvasForces, 1);
     forces->vectors = canvas_vectors_new();
+    forces->spots = tinker_spots_new();
     return forces;
 }
 
 void canvas_forces_free(CanvasForces *forces)
 {
     canvas_vectors_free(forces->vectors);
+    g_array_unref(forces->spots);
     g_free(forces);
 }
 
@@ -115,6 +118,7 @@ void canvas_forces_draw(CanvasForces *forces, cairo_t *cairo, TinkerDocument *do
                         const TinkerView *view, const CanvasForcesLook *look)
 {
     const gboolean any = tinker_vector_choice_any(&look->vectors);
+    g_array_set_size(forces->spots, 0);
     if (!look->forces && !look->trails && !any) return;
     const gboolean asks_forces =
         look->forces || look->vectors.kinds[TINKER_VECTOR_ACCELERATION] || look->vectors.kinds[TINKER_VECTOR_NET_FORCE];
@@ -131,7 +135,8 @@ void canvas_forces_draw(CanvasForces *forces, cairo_t *cairo, TinkerDocument *do
                                 .pixels = look->factor * pixels,
                                 .texts = look->texts,
                                 .marks = marks,
-                                .lit = look->lit};
+                                .lit = look->lit,
+                                .spots = forces->spots};
     if (any || marks != NULL)
         arrows.vectors = canvas_vectors_now(forces->vectors, document, player, &look->vectors, acting);
     for (int k = 0; any && k < TINKER_VECTOR_KINDS; k++) {
@@ -140,4 +145,9 @@ void canvas_forces_draw(CanvasForces *forces, cairo_t *cairo, TinkerDocument *do
         arrows.vector_pixels[k] = look->factor * forces->vector_pixels[k];
     }
     tinker_force_arrows_draw(&arrows, cairo, view, look->theme);
+}
+
+const TinkerSpot *canvas_forces_at(const CanvasForces *forces, double x, double y, double reach)
+{
+    return tinker_spots_at(forces->spots, x, y, reach);
 }

@@ -23,7 +23,7 @@ void canvas_forces_forget(CanvasForces *forces);
 typedef struct {
     const TinkerTheme *theme;
     double factor;              /* how much longer than usual arrows are */
-    TinkerBlockId lit;          /* whose forces are looked at; TINKER_NO_BLOCK: no block's more than others' */
+    const TinkerPointed *lit;   /* whose forces are looked at; NULL: nobody's more than others' */
     gboolean others;            /* with bodies selected, those that these exert on others are shown, too */
     gboolean forces;            /* single forces are shown, */
     gboolean trails;            /* and where bodies have been, */
@@ -35,5 +35,9 @@ typedef struct {
  * plays. A scene that cannot run has none. */
 void canvas_forces_draw(CanvasForces *forces, cairo_t *cairo, TinkerDocument *document, TinkerPlayer *player,
                         const TinkerView *view, const CanvasForcesLook *look);
+
+/* The arrow or label that was drawn last within reach of a place (canvas units); NULL: none. Borrowed until the next
+ * drawing. */
+const TinkerSpot *canvas_forces_at(const CanvasForces *forces, double x, double y, double reach);
 
 #endif

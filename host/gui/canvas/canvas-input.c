@@ -4,10 +4,11 @@
 #include "analysis/start/joined.h"
 #include "gui/canvas/canvas-private.h"
 
-#define THRESHOLD  4.0  /* widget units: a press that moves less is a click */
-#define WHEEL_ZOOM 1.15 /* by one notch */
-#define WHEEL_PAN  60.0 /* widget units by one notch */
-#define FINE_NUDGE 1.0  /* widget units: an arrow key with Alt */
+#define ARROW_REACH 4.0  /* widget units: how near to an arrow is at it */
+#define THRESHOLD   4.0  /* widget units: a press that moves less is a click */
+#define WHEEL_ZOOM  1.15 /* by one notch */
+#define WHEEL_PAN   60.0 /* widget units by one notch */
+#define FINE_NUDGE  1.0  /* widget units: an arrow key with Alt */
 
 static void set_highlighted(TinkerCanvas *canvas, TinkerBlockId block)
 {
@@ -250,20 +251,36 @@ static gboolean on_scroll(GtkEventControllerScroll *controller, double dx, doubl
     return GDK_EVENT_STOP;
 }
 
+/* Arrows and their labels lie over the blocks. */
+static const TinkerSpot *arrow_at(TinkerCanvas *canvas, double x, double y)
+{
+    const double larger = canvas_magnification(canvas);
+    return canvas_forces_at(canvas->forces, x / larger, y / larger, ARROW_REACH / larger);
+}
+
+static void point_at(TinkerCanvas *canvas, double x, double y)
+{
+    const TinkerSpot *arrow = arrow_at(canvas, x, y);
+    if (canvas->points_at_arrow != (arrow != NULL)) gtk_widget_queue_draw(GTK_WIDGET(canvas));
+    canvas->points_at_arrow = arrow != NULL;
+    tinker_document_point(canvas->document,
+                          arrow != NULL ? arrow->what : tinker_pointed_block(hit_at(canvas, x, y, FALSE).block));
+}
+
 static void on_motion(GtkEventControllerMotion *controller, double x, double y, TinkerCanvas *canvas)
 {
     if (canvas->gesture != CANVAS_IDLE) return;
     canvas->pointer[0] = x;
     canvas->pointer[1] = y;
     canvas->points = TRUE;
-    if (tinker_player_state(canvas->player) != TINKER_PLAYER_PLAYING)
-        tinker_document_point(canvas->document, hit_at(canvas, x, y, FALSE).block);
+    if (tinker_player_state(canvas->player) != TINKER_PLAYER_PLAYING) point_at(canvas, x, y);
 }
 
 static void on_leave(TinkerCanvas *canvas)
 {
-    if (canvas->document != NULL) tinker_document_point(canvas->document, TINKER_NO_BLOCK);
-    canvas->points = FALSE;
+    const TinkerPointed nothing = tinker_pointed_block(TINKER_NO_BLOCK);
+    if (canvas->document != NULL) tinker_document_point(canvas->document, nothing);
+    canvas->points = canvas->points_at_arrow = FALSE;
 }
 
 static void on_pinch(GtkGestureZoom *gesture, double scale, TinkerCanvas *canvas)

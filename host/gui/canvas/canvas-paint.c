@@ -6,10 +6,17 @@
 #define GHOST 0.3 /* how much of a run that is kept is seen, */
 #define OVER  0.7 /* and of what is shown over the scene */
 
-/* What is pointed at somewhere else. */
+/* What is pointed at somewhere else, or by an arrow; NULL: nothing. */
+static const TinkerPointed *lit(TinkerCanvas *canvas)
+{
+    const TinkerPointed *pointed = tinker_document_pointed(canvas->document);
+    return canvas->points && !canvas->points_at_arrow ? NULL : pointed;
+}
+
 static TinkerBlockId lit_block(TinkerCanvas *canvas)
 {
-    return canvas->points ? TINKER_NO_BLOCK : tinker_document_pointed(canvas->document);
+    const TinkerPointed *pointed = lit(canvas);
+    return pointed != NULL ? pointed->block : TINKER_NO_BLOCK;
 }
 
 static TinkerPaintOptions paint_options(TinkerCanvas *canvas)
@@ -81,11 +88,12 @@ static void paint_ghosts(TinkerCanvas *canvas, cairo_t *cairo, const TinkerPaint
 }
 
 /* Forces, vectors and trails over the scene that was painted with these options. */
-static void paint_arrows(TinkerCanvas *canvas, cairo_t *cairo, const TinkerPaintOptions *as, TinkerBlockId lit)
+static void paint_arrows(TinkerCanvas *canvas, cairo_t *cairo, const TinkerPaintOptions *as,
+                         const TinkerPointed *pointed)
 {
     const CanvasForcesLook look = {.theme = as->theme,
                                    .factor = canvas->force_factor,
-                                   .lit = lit,
+                                   .lit = pointed,
                                    .others = !canvas->this_body_only,
                                    .forces = canvas->show_forces,
                                    .trails = canvas->show_trails,
@@ -111,7 +119,7 @@ static void paint(TinkerCanvas *canvas, cairo_t *cairo)
     tinker_paint_scene(cairo, frame, &canvas->view, &options);
     paint_ghosts(canvas, cairo, &options);
     canvas_paint_marks(canvas, cairo, frame, options.theme, texts);
-    paint_arrows(canvas, cairo, &options, lit_block(canvas));
+    paint_arrows(canvas, cairo, &options, lit(canvas));
     canvas_paint_edge_marks(canvas, cairo, frame, options.theme); /* over the key of the forces */
     canvas->view = seen;
     cairo_restore(cairo);
@@ -133,7 +141,7 @@ void tinker_canvas_draw_for_paper(TinkerCanvas *canvas, cairo_t *cairo)
     canvas->view.covered = 0; /* no notice lies over it there */
     options.texts = texts = canvas_panels(canvas, 1);
     tinker_paint_scene(cairo, frame, &canvas->view, &options);
-    paint_arrows(canvas, cairo, &options, TINKER_NO_BLOCK);
+    paint_arrows(canvas, cairo, &options, NULL);
 }
 
 GList *tinker_canvas_faults(TinkerCanvas *canvas)

@@ -50,9 +50,10 @@ struct _TinkerCanvas {
     gboolean moved;
     TinkerDrag *drag;
     TinkerBlockId highlighted;
-    gboolean points;       /* what is pointed at, is pointed at here, which shows it anyway */
-    double group_moved[2]; /* m: so far */
-    double panned[2];      /* widget units: so far, with the middle button */
+    gboolean points;          /* what is pointed at, is pointed at here: a block, which shows that anyway, */
+    gboolean points_at_arrow; /* or an arrow or its label */
+    double group_moved[2];    /* m: so far */
+    double panned[2];         /* widget units: so far, with the middle button */
 
     GtkWidget *cover; /* over the top; weak, may be NULL */
 

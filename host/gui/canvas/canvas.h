@@ -48,6 +48,8 @@ const TinkerView *tinker_canvas_view(TinkerCanvas *canvas);
 /* Zooms about the middle; fits everything into the window; shows as many m from left to right as the scene says. */
 void tinker_canvas_zoom(TinkerCanvas *canvas, double factor);
 void tinker_canvas_fit(TinkerCanvas *canvas);
+/* Whether it shows all that was fitted into it, whatever its size; not once somebody has looked elsewhere. */
+gboolean tinker_canvas_is_fitted(TinkerCanvas *canvas);
 /* Draws arrows of forces longer by this factor than they are now. */
 void tinker_canvas_scale_forces(TinkerCanvas *canvas, double factor);
 void tinker_canvas_show_width(TinkerCanvas *canvas);

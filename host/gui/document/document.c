@@ -16,7 +16,7 @@ struct _TinkerDocument {
     TinkerDocumentOrigin origin;
     gboolean recovered; /* counts as modified until it is saved */
     GArray *selection;  /* of TinkerBlockId */
-    TinkerBlockId pointed;
+    TinkerPointed pointed;
 };
 
 G_DEFINE_FINAL_TYPE(TinkerDocument, tinker_document, G_TYPE_OBJECT)
@@ -59,7 +59,7 @@ static void tinker_document_class_init(TinkerDocumentClass *class)
 static void tinker_document_init(TinkerDocument *document)
 {
     document->selection = g_array_new(FALSE, FALSE, sizeof(TinkerBlockId));
-    document->pointed = TINKER_NO_BLOCK;
+    document->pointed = tinker_pointed_block(TINKER_NO_BLOCK);
 }
 
 TinkerDocument *tinker_document_new(TinkerCatalogue *catalogue)
@@ -125,6 +125,7 @@ static void replace(TinkerDocument *document, TinkerScene *scene, const TinkerDo
     emit(document, REPLACED);
     tinker_scene_free(last);
     emit(document, SELECTION_CHANGED);
+    tinker_document_point(document, tinker_pointed_block(TINKER_NO_BLOCK));
     emit(document, CHANGED);
     emit(document, FILE_CHANGED);
 }
@@ -428,16 +429,24 @@ void tinker_document_select_all_of(TinkerDocument *document, const TinkerBlockId
 }
 
 /* It may have been removed since. */
-TinkerBlockId tinker_document_pointed(TinkerDocument *document)
+const TinkerPointed *tinker_document_pointed(TinkerDocument *document)
 {
-    return tinker_scene_has_block(document->scene, document->pointed) ? document->pointed : TINKER_NO_BLOCK;
+    if (!tinker_scene_has_block(document->scene, document->pointed.block))
+        document->pointed = tinker_pointed_block(TINKER_NO_BLOCK);
+    return &document->pointed;
 }
 
-void tinker_document_point(TinkerDocument *document, TinkerBlockId block)
+void tinker_document_point(TinkerDocument *document, TinkerPointed what)
 {
-    if (document->pointed == block) return;
-    document->pointed = block;
+    if (tinker_pointed_same(&document->pointed, &what)) return;
+    document->pointed = what;
     emit(document, POINTED_CHANGED);
+}
+
+void tinker_document_point_away(TinkerDocument *document, TinkerPointed from)
+{
+    if (tinker_pointed_same(&document->pointed, &from))
+        tinker_document_point(document, tinker_pointed_block(TINKER_NO_BLOCK));
 }
 
 void tinker_document_toggle(TinkerDocument *document, TinkerBlockId block)

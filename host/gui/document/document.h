@@ -4,7 +4,7 @@
  *   "changed"            the scene is another than before: an edit, undo, redo, or another scene altogether
  *   "replaced"           another scene altogether, before "changed": forget everything that came from the last one
  *   "selection-changed"
- *   "pointed-changed"    another block is pointed at, or none any more
+ *   "pointed-changed"    something else is pointed at, or nothing any more
  *   "file-changed"       the path, or whether there is something to save
  *   "interrupted"        something else is to be done in the middle of a step: who keeps it open aborts it
  */
@@ -13,6 +13,7 @@
 
 #include <gio/gio.h>
 
+#include "common/overlay/pointed.h"
 #include "common/program/file-set.h"
 #include "scene/history/history.h"
 #include "scene/read/scene-json.h"
@@ -115,9 +116,12 @@ gboolean tinker_document_is_selected(TinkerDocument *document, TinkerBlockId blo
 void tinker_document_select(TinkerDocument *document, TinkerBlockId block);
 /* Selects these blocks alone. */
 void tinker_document_select_all_of(TinkerDocument *document, const TinkerBlockId *blocks, int count);
-/* The block that is pointed at somewhere, whose counterparts in other views light up; TINKER_NO_BLOCK: none. */
-TinkerBlockId tinker_document_pointed(TinkerDocument *document);
-void tinker_document_point(TinkerDocument *document, TinkerBlockId block);
+/* What is pointed at somewhere, whose counterparts in other views light up; of TINKER_NO_BLOCK where nothing is.
+ * Borrowed, valid until "pointed-changed". */
+const TinkerPointed *tinker_document_pointed(TinkerDocument *document);
+void tinker_document_point(TinkerDocument *document, TinkerPointed what);
+/* This is pointed at no more: something else may be by now. */
+void tinker_document_point_away(TinkerDocument *document, TinkerPointed from);
 
 /* Adds it to the selection, or takes it out. */
 void tinker_document_toggle(TinkerDocument *document, TinkerBlockId block);

@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "gui/equation/equation-matrix.h"
 #include "gui/equation/equation-row.h"
 
 GtkWidget *tinker_equation_label(const char *text, const char *css_class)
@@ -43,6 +44,10 @@ void tinker_equation_list_add(GtkWidget *box, TinkerDocument *document, const Ti
         tinker_equation_list_add_text(box, shown->heading, "heading");
         return;
     }
+    if (shown->matrix != NULL) {
+        gtk_box_append(GTK_BOX(box), tinker_equation_matrix_new(document, shown, spoken));
+        return;
+    }
     GtkWidget *row = tinker_equation_row_new(document, shown, spoken);
     const gboolean has_comment = shown->comment != NULL && shown->component < 0;
     if (has_comment && is_value(shown)) {
@@ -60,6 +65,34 @@ void tinker_equation_list_show_values(GtkWidget *box, const TinkerModelState *st
         if (TINKER_IS_EQUATION_ROW(row)) tinker_equation_row_show_values(TINKER_EQUATION_ROW(row), state, units, tell);
 }
 
+static void append_terms(GString *text, const GArray *terms)
+{
+    for (guint i = 0; i < terms->len; i++)
+        g_string_append(text, g_array_index(terms, TinkerLineTerm, i).text);
+}
+
+/* The next line behind number `at` that has values of its own; NULL: none. */
+static const TinkerEquationLine *next_valued(const GPtrArray *lines, guint *at)
+{
+    while (lines != NULL && *at < lines->len) {
+        const TinkerEquationLine *line = g_ptr_array_index(lines, (*at)++);
+        if (line->matrix != NULL || line->left_terms != NULL) return line;
+    }
+    return NULL;
+}
+
+void tinker_equation_list_show_line_values(GtkWidget *box, const GPtrArray *lines, TinkerUnitSystem units,
+                                           gboolean tell)
+{
+    guint at = 0;
+    for (GtkWidget *row = gtk_widget_get_first_child(box); row != NULL; row = gtk_widget_get_next_sibling(row)) {
+        if (TINKER_IS_EQUATION_MATRIX(row))
+            tinker_equation_matrix_show_values(TINKER_EQUATION_MATRIX(row), next_valued(lines, &at), units, tell);
+        else if (TINKER_IS_EQUATION_ROW(row) && tinker_equation_row_is_balance(TINKER_EQUATION_ROW(row)))
+            tinker_equation_row_show_line_values(TINKER_EQUATION_ROW(row), next_valued(lines, &at), units, tell);
+    }
+}
+
 char *tinker_equation_lines_written(const GPtrArray *lines)
 {
     GString *text = g_string_new(NULL);
@@ -67,8 +100,10 @@ char *tinker_equation_lines_written(const GPtrArray *lines)
         const TinkerEquationLine *line = g_ptr_array_index(lines, i);
         if (line->heading != NULL || is_value(line)) continue;
         g_string_append(text, line->left);
-        for (guint k = 0; k < line->terms->len; k++)
-            g_string_append(text, g_array_index(line->terms, TinkerLineTerm, k).text);
+        if (line->left_terms != NULL) append_terms(text, line->left_terms);
+        for (guint k = 0; line->matrix != NULL && k < line->matrix->cells->len; k++)
+            append_terms(text, g_ptr_array_index(line->matrix->cells, k));
+        append_terms(text, line->terms);
     }
     return g_string_free(text, FALSE);
 }

@@ -22,4 +22,8 @@ void tinker_equation_list_show_values(GtkWidget *box, const TinkerModelState *st
 /* All equations as one text, without the values below them: of another text they are others. (transfer full) */
 char *tinker_equation_lines_written(const GPtrArray *lines);
 
+/* The values of terms that have them, of lines as they are now; NULL: none are shown. */
+void tinker_equation_list_show_line_values(GtkWidget *box, const GPtrArray *lines, TinkerUnitSystem units,
+                                           gboolean tell);
+
 #endif

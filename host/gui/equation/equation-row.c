@@ -3,6 +3,8 @@
 #include <glib/gi18n.h>
 #include <math.h>
 
+#include "common/diagram/diagram-picture.h"
+#include "gui/equation/equation-matrix.h"
 #include "gui/widget/unparent.h"
 
 #define LINE_GAP 4
@@ -20,7 +22,8 @@ struct _TinkerEquationRow {
     GtkWidget parent_instance;
     TinkerBlockId body;
     int component;
-    GArray *terms; /* of Term */
+    GArray *terms;    /* of Term */
+    guint left_count; /* children before the equals sign, where these are terms; else 0 */
 };
 
 G_DEFINE_FINAL_TYPE(TinkerEquationRow, tinker_equation_row, GTK_TYPE_WIDGET)
@@ -194,14 +197,48 @@ void tinker_equation_row_show_values(TinkerEquationRow *row, const TinkerModelSt
     }
 }
 
+gboolean tinker_equation_row_is_balance(TinkerEquationRow *row)
+{
+    return row->left_count > 0;
+}
+
+void tinker_equation_row_show_line_values(TinkerEquationRow *row, const TinkerEquationLine *line,
+                                          TinkerUnitSystem units, gboolean tell)
+{
+    g_autoptr(GArray) all = g_array_new(FALSE, TRUE, sizeof(TinkerLineTerm));
+    if (row->left_count == 0) return;
+    if (line != NULL) {
+        g_array_append_vals(all, line->left_terms->data, line->left_terms->len);
+        g_array_append_vals(all, line->terms->data, line->terms->len);
+    }
+    tinker_equation_terms_show_values(gtk_widget_get_first_child(GTK_WIDGET(row)), all, units, tell);
+}
+
 /* Life ------------------------------------------------------------------------------------------------------------- */
+
+/* Terms before the equals sign, which stands behind the last. */
+static void add_left_terms(TinkerEquationRow *row, TinkerDocument *document, const TinkerEquationLine *shown,
+                           const TinkerEquationLine *spoken)
+{
+    row->left_count = shown->left_terms->len;
+    for (guint i = 0; i < row->left_count; i++) {
+        const TinkerLineTerm *term = &g_array_index(shown->left_terms, TinkerLineTerm, i);
+        const char *said = g_array_index(spoken->left_terms, TinkerLineTerm, i).text;
+        const gboolean is_last = i + 1 == row->left_count;
+        g_autofree char *mathml =
+            g_strconcat(i > 0 ? "<mrow></mrow>" : "", term->text, is_last ? "<mo>=</mo>" : "", NULL);
+        g_autofree char *reading = is_last ? g_strdup_printf(_("%s equals"), said) : g_strdup(said);
+        GtkWidget *widget = tinker_equation_term_new(document, tinker_pointed_block(term->block), mathml, reading);
+        gtk_widget_set_parent(widget, GTK_WIDGET(row));
+    }
+}
 
 static void add_left(TinkerEquationRow *row, TinkerDocument *document, const TinkerEquationLine *shown,
                      const TinkerEquationLine *spoken)
 {
     g_autofree char *mathml = g_strconcat(shown->left, "<mo>=</mo>", NULL);
     g_autofree char *reading = g_strdup_printf(_("%s equals"), spoken->left);
-    GtkWidget *left = tinker_equation_term_new(document, shown->block, mathml, reading);
+    GtkWidget *left = tinker_equation_term_new(document, tinker_pointed_block(shown->block), mathml, reading);
     gtk_widget_set_parent(left, GTK_WIDGET(row));
 }
 
@@ -215,19 +252,29 @@ static void tell_kind(GtkWidget *term, TinkerTermKind kind)
     gtk_widget_set_tooltip_text(term, text);
 }
 
+/* Of a body's equation the force on it; of a law all that comes from its block. */
+static TinkerPointed pointed_of(const TinkerEquationLine *line, const TinkerLineTerm *term)
+{
+    if (line->component < 0) return tinker_pointed_block(term->block);
+    return tinker_diagram_pointed(term->block, line->block, term->kind);
+}
+
 GtkWidget *tinker_equation_row_new(TinkerDocument *document, const TinkerEquationLine *shown,
                                    const TinkerEquationLine *spoken)
 {
     TinkerEquationRow *row = g_object_new(TINKER_TYPE_EQUATION_ROW, NULL);
     row->body = shown->block;
     row->component = shown->component;
-    add_left(row, document, shown, spoken);
+    if (shown->left_terms != NULL)
+        add_left_terms(row, document, shown, spoken);
+    else
+        add_left(row, document, shown, spoken);
     for (guint i = 0; i < shown->terms->len; i++) {
         const TinkerLineTerm *term = &g_array_index(shown->terms, TinkerLineTerm, i);
         const TinkerLineTerm *reading = &g_array_index(spoken->terms, TinkerLineTerm, i);
         /* what stands before a sign keeps room around it */
         g_autofree char *mathml = g_strconcat(i > 0 ? "<mrow></mrow>" : "", term->text, NULL);
-        GtkWidget *widget = tinker_equation_term_new(document, term->block, mathml, reading->text);
+        GtkWidget *widget = tinker_equation_term_new(document, pointed_of(shown, term), mathml, reading->text);
         const Term one = {TINKER_EQUATION_TERM(widget), term->block, term->kind};
         tell_kind(widget, term->kind);
         gtk_widget_set_parent(widget, GTK_WIDGET(row));

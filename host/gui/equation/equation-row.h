@@ -19,4 +19,11 @@ GtkWidget *tinker_equation_row_new(TinkerDocument *document, const TinkerEquatio
 void tinker_equation_row_show_values(TinkerEquationRow *row, const TinkerModelState *state, TinkerUnitSystem units,
                                      gboolean tell);
 
+/* Whether it has terms on both sides. */
+gboolean tinker_equation_row_is_balance(TinkerEquationRow *row);
+/* Those of the terms themselves, of a line with terms on both sides; `line` has the same terms; NULL: none are shown.
+ */
+void tinker_equation_row_show_line_values(TinkerEquationRow *row, const TinkerEquationLine *line,
+                                          TinkerUnitSystem units, gboolean tell);
+
 #endif

@@ -14,7 +14,7 @@
 struct _TinkerEquationTerm {
     GtkWidget parent_instance;
     TinkerDocument *document;
-    TinkerBlockId block;
+    TinkerPointed what;
     TinkerMathText *formula;
     char *value;
     gboolean shows_value, told; /* told: the description has the value */
@@ -67,18 +67,17 @@ static void tinker_equation_term_snapshot(GtkWidget *widget, GtkSnapshot *snapsh
 
 static void point(TinkerEquationTerm *term)
 {
-    if (term->block != TINKER_NO_BLOCK) tinker_document_point(term->document, term->block);
+    if (term->what.block != TINKER_NO_BLOCK) tinker_document_point(term->document, term->what);
 }
 
 static void point_away(TinkerEquationTerm *term)
 {
-    if (tinker_document_pointed(term->document) == term->block) tinker_document_point(term->document, TINKER_NO_BLOCK);
+    tinker_document_point_away(term->document, term->what);
 }
 
 static void on_pointed(TinkerEquationTerm *term)
 {
-    const gboolean lit = term->block != TINKER_NO_BLOCK && tinker_document_pointed(term->document) == term->block;
-    if (lit)
+    if (tinker_pointed_lights(tinker_document_pointed(term->document), &term->what))
         gtk_widget_add_css_class(GTK_WIDGET(term), "lit");
     else
         gtk_widget_remove_css_class(GTK_WIDGET(term), "lit");
@@ -86,8 +85,8 @@ static void on_pointed(TinkerEquationTerm *term)
 
 static void choose(TinkerEquationTerm *term)
 {
-    if (tinker_scene_has_block(tinker_document_scene(term->document), term->block))
-        tinker_document_select(term->document, term->block);
+    if (tinker_scene_has_block(tinker_document_scene(term->document), term->what.block))
+        tinker_document_select(term->document, term->what.block);
 }
 
 static void on_click(GtkGestureClick *gesture, int presses, double x, double y, TinkerEquationTerm *term)
@@ -154,15 +153,15 @@ void tinker_equation_term_set_value(TinkerEquationTerm *term, const char *value,
 
 /* Life ------------------------------------------------------------------------------------------------------------- */
 
-GtkWidget *tinker_equation_term_new(TinkerDocument *document, TinkerBlockId block, const char *mathml,
+GtkWidget *tinker_equation_term_new(TinkerDocument *document, TinkerPointed what, const char *mathml,
                                     const char *spoken)
 {
     TinkerEquationTerm *term = g_object_new(TINKER_TYPE_EQUATION_TERM, NULL);
-    const char *name =
-        block != TINKER_NO_BLOCK ? tinker_scene_block_name(tinker_document_scene(document), block) : NULL;
+    TinkerScene *scene = tinker_document_scene(document);
+    const char *name = what.block != TINKER_NO_BLOCK ? tinker_scene_block_name(scene, what.block) : NULL;
     g_autofree char *label = name != NULL ? g_strdup_printf("%s: %s", name, spoken) : g_strdup(spoken);
     term->document = g_object_ref(document);
-    term->block = block;
+    term->what = what;
     term->formula = tinker_math_text_new(mathml, SIZE, NULL);
     if (term->formula != NULL) tinker_math_text_measure(term->formula, &term->width, &term->above, &term->below);
     gtk_accessible_update_property(GTK_ACCESSIBLE(term), GTK_ACCESSIBLE_PROPERTY_LABEL, label, -1);
@@ -194,5 +193,5 @@ static void tinker_equation_term_class_init(TinkerEquationTermClass *class)
 
 static void tinker_equation_term_init(TinkerEquationTerm *term)
 {
-    term->block = TINKER_NO_BLOCK;
+    term->what = tinker_pointed_block(TINKER_NO_BLOCK);
 }

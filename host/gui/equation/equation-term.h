@@ -1,5 +1,5 @@
-/* One term of an equation: drawn, pointed at, reached by keys, and read out. Pointing at it points at its block in the
- * document. */
+/* One term of an equation: drawn, pointed at, reached by keys, and read out. Pointing at it points at the force or the
+ * block that it stands for in the document. */
 #ifndef TINKER_GUI_EQUATION_TERM_H
 #define TINKER_GUI_EQUATION_TERM_H
 
@@ -10,9 +10,9 @@
 #define TINKER_TYPE_EQUATION_TERM (tinker_equation_term_get_type())
 G_DECLARE_FINAL_TYPE(TinkerEquationTerm, tinker_equation_term, TINKER, EQUATION_TERM, GtkWidget)
 
-/* `mathml` as core/law writes it; `spoken` is its reading; `block` whose it is, or TINKER_NO_BLOCK: then it is no more
+/* `mathml` as core/law writes it; `spoken` is its reading; `what` it stands for, of TINKER_NO_BLOCK: then it is no more
  * than drawn and read. Takes a reference of the document. (transfer floating) */
-GtkWidget *tinker_equation_term_new(TinkerDocument *document, TinkerBlockId block, const char *mathml,
+GtkWidget *tinker_equation_term_new(TinkerDocument *document, TinkerPointed what, const char *mathml,
                                     const char *spoken);
 
 /* Above the line that its letters stand on, px. */

@@ -75,10 +75,13 @@ static GPtrArray *lines_of(TinkerEquationsPage *page, const TinkerModelResult *r
 static void update_values(TinkerEquationsPage *page)
 {
     const TinkerModelResult *result = tinker_model_task_result(page->task);
-    const gboolean shown = shows_values(page) && form_of(page) == NEWTON && result != NULL;
+    const gboolean shown = shows_values(page) && result != NULL && result->equations != NULL;
     const TinkerUnitSystem units = tinker_scene_head(tinker_document_scene(page->document))->units;
     const gboolean tell = !is_playing(page); /* else it would never end */
-    tinker_equation_list_show_values(page->rows, shown ? result->state : NULL, units, tell);
+    const guint form = form_of(page);
+    g_autoptr(GPtrArray) lines = shown && form == MATRIX ? lines_of(page, result, TINKER_TYPESET_MATHML) : NULL;
+    tinker_equation_list_show_values(page->rows, shown && form == NEWTON ? result->state : NULL, units, tell);
+    tinker_equation_list_show_line_values(page->rows, lines, units, tell);
 }
 
 static void clear_rows(TinkerEquationsPage *page)
@@ -117,7 +120,7 @@ static void show_rows(TinkerEquationsPage *page, const TinkerModelResult *result
 static gboolean has_chosen_form(TinkerEquationsPage *page, const TinkerModelResult *result)
 {
     const guint form = form_of(page);
-    if (form == MATRIX) return result->matrix != NULL && result->matrix->islands->len > 0;
+    if (form == MATRIX) return result->matrix != NULL && result->matrix->islands->len + result->matrix->large->len > 0;
     return form != ANGLES || result->angles->trees->len > 0;
 }
 

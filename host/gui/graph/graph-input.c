@@ -259,11 +259,13 @@ static void on_motion(GtkEventControllerMotion *controller, double x, double y, 
     plot->pointer[0] = x;
     plot->pointer[1] = y;
     if (plot->show_values) tinker_graph_plot_renew(plot);
+    if (plot->drag == TINKER_GRAPH_NO_DRAG) tinker_graph_plot_point_at(plot, x, y);
 }
 
 static void on_leave(GtkEventControllerMotion *controller, TinkerGraphPlot *plot)
 {
     plot->pointer_inside = FALSE;
+    tinker_graph_plot_point_away(plot);
     if (plot->show_values) tinker_graph_plot_renew(plot);
 }
 

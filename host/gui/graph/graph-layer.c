@@ -50,6 +50,17 @@ static void size_on_screen(TinkerGraphLayer *layer, const double *size, TinkerGr
     box->height = round(held(size != NULL ? size[1] * view->scale : USUAL_HEIGHT, LEAST_HEIGHT, view->height));
 }
 
+/* While the canvas shows all there is to see, of a graph, too, whose size has a least one, and rounding. */
+static void keep_inside(TinkerGraphLayer *layer, TinkerGraphBox *box)
+{
+    const TinkerView *view = tinker_canvas_view(layer->canvas);
+    const gboolean in_sight =
+        box->x < view->width && box->y < view->height && box->x + box->width > 0 && box->y + box->height > 0;
+    if (!in_sight || !tinker_canvas_is_fitted(layer->canvas)) return;
+    box->x = held(box->x, 0, view->width - box->width);
+    box->y = held(box->y, 0, view->height - box->height);
+}
+
 static TinkerGraphBox box_of(TinkerGraphLayer *layer, TinkerGraphView *graph_view)
 {
     if (graph_view == layer->dragged) return layer->box;
@@ -59,6 +70,7 @@ static TinkerGraphBox box_of(TinkerGraphLayer *layer, TinkerGraphView *graph_vie
     box.x = round(box.x);
     box.y = round(box.y);
     size_on_screen(layer, graph->has_size ? graph->size : NULL, &box);
+    keep_inside(layer, &box);
     return box;
 }
 

@@ -15,11 +15,31 @@ void tinker_graph_plot_renew(TinkerGraphPlot *plot)
     gtk_widget_queue_draw(GTK_WIDGET(plot));
 }
 
+TinkerBlockId tinker_graph_plot_block(TinkerGraphPlot *plot, guint curve)
+{
+    TinkerScene *scene = tinker_document_scene(tinker_graph_data_document(plot->data));
+    const char *name = tinker_graph_series_block(tinker_graph_data_curve(plot->data, curve));
+    return name[0] != '\0' ? tinker_scene_find_block(scene, name) : TINKER_NO_BLOCK;
+}
+
+/* Curves of other blocks than what is pointed at, where there is one of it. */
+static void fade_others(TinkerGraphPlot *plot, TinkerPlot *picture)
+{
+    const int own = MIN((int)tinker_graph_data_curves(plot->data), picture->curve_count);
+    if (plot->lit == TINKER_NO_BLOCK) return;
+    g_free(plot->curves);
+    plot->curves = g_memdup2(picture->curves, (gsize)picture->curve_count * sizeof *plot->curves);
+    for (int i = 0; i < own; i++)
+        plot->curves[i].faded = tinker_graph_plot_block(plot, (guint)i) != plot->lit;
+    picture->curves = plot->curves;
+}
+
 void tinker_graph_plot_fill(TinkerGraphPlot *plot, TinkerPlot *picture)
 {
     picture->enlargement = plot->picture.enlargement;
     picture->compact = plot->picture.width < COMPACT_WIDTH || plot->picture.height < COMPACT_HEIGHT;
     tinker_graph_data_fill_plot(plot->data, picture);
+    fade_others(plot, picture);
     if (tinker_graph_data_is_empty(plot->data)) return;
     if (tinker_graph_data_is_over_time(plot->data))
         plot->zoom.is_set[0] = tinker_time_span_get(tinker_player_span(plot->player), plot->zoom.range[0]);

@@ -35,6 +35,9 @@ struct _TinkerGraphPlot {
     TinkerGraphDrag drag;
     double drag_start[2], drag_now[2];
 
+    TinkerCurve *curves; /* of the picture, where some are faded */
+    TinkerBlockId lit;   /* what is pointed at, where it has a curve; else TINKER_NO_BLOCK */
+
     TinkerGraphReading cursors[2];
     int cursor_count;
 };
@@ -44,7 +47,9 @@ void tinker_graph_plot_renew(TinkerGraphPlot *plot);
 /* Where the axes are by what is shown now, drawn yet or not: what follows within the same frame goes on from there.
  * Borrowed. */
 const TinkerPlotGeometry *tinker_graph_plot_geometry(TinkerGraphPlot *plot);
-/* What is drawn, but for theme and reading. */
+/* The block that a curve is of; TINKER_NO_BLOCK of an expression and of a table. */
+TinkerBlockId tinker_graph_plot_block(TinkerGraphPlot *plot, guint curve);
+/* What is drawn, but for theme and reading: where curves of what is pointed at are among others, those are faded. */
 void tinker_graph_plot_fill(TinkerGraphPlot *plot, TinkerPlot *picture);
 /* What the pointer reads: the nearest curve's maximum, minimum or zero, or its point. */
 gboolean tinker_graph_plot_read(TinkerGraphPlot *plot, const TinkerPlot *picture, double x, double y,
@@ -61,6 +66,13 @@ char *tinker_graph_plot_legend_text(TinkerGraphPlot *plot, double x, double y);
 TinkerGraphAxes tinker_graph_box_axes(const TinkerGraphPlot *plot);
 
 void tinker_graph_plot_add_input(TinkerGraphPlot *plot);
+
+/* graph-point.c: follows what is pointed at; points in the document at the block of the curve, or of the legend's
+ * entry, at a place, or at nothing.
+ */
+void tinker_graph_plot_follow_pointing(TinkerGraphPlot *plot);
+void tinker_graph_plot_point_at(TinkerGraphPlot *plot, double x, double y);
+void tinker_graph_plot_point_away(TinkerGraphPlot *plot);
 
 /* The box that is being dragged, and the cursors with what lies between them. */
 void tinker_graph_plot_draw_marks(TinkerGraphPlot *plot, cairo_t *cairo);

@@ -169,6 +169,7 @@ static void tinker_graph_plot_dispose(GObject *object)
     TinkerGraphPlot *plot = TINKER_GRAPH_PLOT(object);
     g_clear_handle_id(&plot->timer, g_source_remove);
     g_clear_object(&plot->texture);
+    g_clear_pointer(&plot->curves, g_free);
     g_clear_object(&plot->player);
     g_clear_pointer(&plot->data, tinker_graph_data_free);
     g_clear_pointer(&plot->memory, tinker_paint_memory_free);
@@ -196,6 +197,7 @@ GtkWidget *tinker_graph_plot_new(TinkerDocument *document, TinkerPlayer *player)
     plot->player = g_object_ref(player);
     plot->data = tinker_graph_data_new(document, player);
     tinker_graph_plot_add_input(plot);
+    tinker_graph_plot_follow_pointing(plot);
     g_signal_connect_object(player, "moved", G_CALLBACK(gtk_widget_queue_draw), plot, G_CONNECT_SWAPPED);
     g_signal_connect_object(player, "state-changed", G_CALLBACK(gtk_widget_queue_draw), plot, G_CONNECT_SWAPPED);
     tinker_desktop_theme_redraws(GTK_WIDGET(plot));

@@ -96,11 +96,35 @@ static void on_moved(TinkerGraphView *view)
     tell_value(view);
 }
 
+/* By keys it is the block that all curves are of, if there is one. */
+static TinkerPointed block_of_all(TinkerGraphView *view)
+{
+    TinkerGraphData *data = tinker_graph_view_data(view);
+    const guint count = tinker_graph_data_own_curves(data);
+    const char *name = count > 0 ? tinker_graph_series_block(tinker_graph_data_curve(data, 0)) : "";
+    for (guint i = 1; i < count; i++)
+        if (!g_str_equal(tinker_graph_series_block(tinker_graph_data_curve(data, i)), name)) name = "";
+    TinkerScene *scene = tinker_document_scene(view->document);
+    return tinker_pointed_block(name[0] != '\0' ? tinker_scene_find_block(scene, name) : TINKER_NO_BLOCK);
+}
+
+static void on_focus(GtkEventControllerFocus *focus, TinkerGraphView *view)
+{
+    const TinkerPointed what = block_of_all(view);
+    if (gtk_event_controller_focus_is_focus(focus) && what.block != TINKER_NO_BLOCK)
+        tinker_document_point(view->document, what);
+}
+
+static void on_focus_leave(GtkEventControllerFocus *focus, TinkerGraphView *view)
+{
+    tinker_document_point_away(view->document, block_of_all(view));
+}
+
 /* Lights up where a curve is of the block that is pointed at. */
 static void on_pointed(TinkerGraphView *view)
 {
     TinkerScene *scene = tinker_document_scene(view->document);
-    const TinkerBlockId pointed = tinker_document_pointed(view->document);
+    const TinkerBlockId pointed = tinker_document_pointed(view->document)->block;
     const GPtrArray *graphs = tinker_scene_graphs(scene);
     const char *name = pointed != TINKER_NO_BLOCK ? tinker_scene_block_name(scene, pointed) : NULL;
     gboolean lit = FALSE;
@@ -287,6 +311,10 @@ static void add_plot(TinkerGraphView *view)
 
 static void add_input(TinkerGraphView *view)
 {
+    GtkEventController *focus = gtk_event_controller_focus_new();
+    g_signal_connect(focus, "enter", G_CALLBACK(on_focus), view);
+    g_signal_connect(focus, "leave", G_CALLBACK(on_focus_leave), view);
+    gtk_widget_add_controller(GTK_WIDGET(view), focus);
     const struct {
         guint button;
         GCallback pressed;

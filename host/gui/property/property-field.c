@@ -4,6 +4,7 @@
 
 #include <glib/gi18n.h>
 
+#include "gui/property/law-preview.h"
 #include "gui/property/table-chooser.h"
 #include "gui/widget/choices.h"
 #include "gui/widget/entry-select.h"
@@ -21,6 +22,7 @@ struct _TinkerPropertyField {
     TinkerPropertyRow *row;
     GtkWidget *title, *control, *detach, *problem;
     GtkWidget *hint;  /* NULL: there was none yet */
+    GtkWidget *law;   /* of a typed law, as it is typeset; else NULL */
     gboolean dirty;   /* something was typed, and not taken yet */
     gboolean showing; /* changes of the control are ours */
 };
@@ -73,11 +75,30 @@ static void show_text(TinkerPropertyField *field)
     field->showing = FALSE;
 }
 
+/* What the text of the entry would be as the law, or what is wrong with it, there marked from its place on. */
+static void preview_law(TinkerPropertyField *field)
+{
+    if (field->law == NULL) return;
+    const char *text = gtk_editable_get_text(GTK_EDITABLE(field->control));
+    g_autoptr(PangoAttrList) marks = pango_attr_list_new();
+    g_autoptr(GError) error = NULL;
+    int column = 0;
+    const gboolean good = tinker_law_preview_show(TINKER_LAW_PREVIEW(field->law), field->row, text, &column, &error);
+    if (!good && column > 0 && column <= g_utf8_strlen(text, -1)) {
+        PangoAttribute *mark = pango_attr_underline_new(PANGO_UNDERLINE_ERROR);
+        mark->start_index = (guint)(g_utf8_offset_to_pointer(text, column - 1) - text);
+        pango_attr_list_insert(marks, mark);
+    }
+    gtk_entry_set_attributes(GTK_ENTRY(field->control), marks);
+    set_problem(field, error != NULL ? error->message : NULL);
+}
+
 static void revert(TinkerPropertyField *field)
 {
     field->dirty = FALSE;
     show_text(field);
     set_problem(field, NULL);
+    preview_law(field);
 }
 
 static void commit(TinkerPropertyField *field)
@@ -106,6 +127,7 @@ static void on_typed(TinkerPropertyField *field)
 {
     const char *text = gtk_editable_get_text(GTK_EDITABLE(field->control));
     if (!field->showing) field->dirty = !g_str_equal(text, field->row->text);
+    if (!field->showing) preview_law(field);
 }
 
 /* Takes back what is being typed, or else the last edit. Answers whether the key was one of those that undo and redo.
@@ -289,6 +311,7 @@ void tinker_property_field_show(TinkerPropertyField *field, TinkerPropertyRow *r
     if (!same || (!same_hint && !gtk_widget_get_visible(field->problem))) set_problem(field, NULL);
     if (!described) gtk_widget_set_tooltip_text(field->title, row->description);
     if (row->kind == TINKER_ROW_NUMBER && !same_control) show_entry_menu(field);
+    preview_law(field);
 }
 
 void tinker_property_field_discard(TinkerPropertyField *field)
@@ -390,6 +413,9 @@ static void make_parts(TinkerPropertyField *field)
 
     field->problem = make_line("error");
     gtk_widget_set_parent(field->problem, GTK_WIDGET(field));
+    if (!field->row->is_law) return;
+    field->law = tinker_law_preview_new(field->document);
+    gtk_widget_set_parent(field->law, GTK_WIDGET(field));
 }
 
 GtkWidget *tinker_property_field_new(TinkerDocument *document, TinkerPropertyRow *row)
@@ -417,7 +443,7 @@ static void tinker_property_field_dispose(GObject *object)
 {
     TinkerPropertyField *field = TINKER_PROPERTY_FIELD(object);
     g_clear_object(&field->document);
-    field->hint = NULL;
+    field->hint = field->law = NULL;
     tinker_unparent_children(GTK_WIDGET(object));
     g_clear_pointer(&field->row, tinker_property_row_unref);
     G_OBJECT_CLASS(tinker_property_field_parent_class)->dispose(object);

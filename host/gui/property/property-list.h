@@ -31,6 +31,7 @@ struct _TinkerPropertyRow {
     gboolean sensitive; /* FALSE: shown, but it cannot be set, or plays no part as things are */
     gboolean given;     /* FALSE: it has its default */
     gboolean mixed;     /* the blocks selected have several values */
+    gboolean is_law;    /* of a text: a law that is typed */
     GStrv choices;      /* of a choice */
     int file_choice;    /* of a choice: the one that a file has to be named for, or -1 */
     int chosen;         /* of a choice or switch; -1 where the blocks selected have several */

@@ -9,6 +9,7 @@
 #include "gui/text/block-words.h"
 #include "gui/text/number-text.h"
 #include "gui/text/translate.h"
+#include "law/typed-law.h"
 #include "scene/frame/frame-quantity.h"
 
 static const TinkerPropertyType *type_of(const TinkerScene *scene, const TinkerPropertyRow *row)
@@ -253,6 +254,21 @@ static gboolean set_text(TinkerDocument *document, const TinkerPropertyRow *row,
     return property_edit_all(document, row, edit_text, text, error);
 }
 
+/* One that cannot be read is not taken; its numbers may still be to come. */
+static gboolean set_law(TinkerDocument *document, const TinkerPropertyRow *row, const char *text, GError **error)
+{
+    TinkerScene *scene = tinker_document_scene(document);
+    GError *cause = NULL;
+    if (!tinker_scene_has_block(scene, g_array_index(row->blocks, TinkerBlockId, 0)))
+        return property_refuse(error, _("The block is no longer there."));
+    const TinkerBlockClass *block_class = tinker_scene_block_class(scene, g_array_index(row->blocks, TinkerBlockId, 0));
+    g_autoptr(TinkerExpression) law =
+        text[0] != '\0' ? tinker_typed_parse(block_class, row->property, text, &cause) : NULL;
+    if (cause == NULL) return set_text(document, row, text, error);
+    property_fail(error, cause, NULL, NULL);
+    return FALSE;
+}
+
 /* Rows ------------------------------------------------------------------------------------------------------------- */
 
 /* (transfer full) */
@@ -382,7 +398,8 @@ static void add_text(PropertyBuilder *builder, int32_t property)
         row->mixed = !g_str_equal(tinker_scene_get_text(builder->scene, builder->blocks[i], property), row->text);
     if (row->mixed) property_row_take_text(row, g_strdup(""));
     row->sensitive = !(builder->block_class->properties[property].flags & TINKER_READ_ONLY);
-    row->set = set_text;
+    row->is_law = (builder->block_class->properties[property].flags & TINKER_TEXT_LAW) != 0;
+    row->set = row->is_law ? set_law : set_text;
 }
 
 void property_rows_add_property(PropertyBuilder *builder, int32_t property)

@@ -207,5 +207,46 @@ def test_form_without_equations(display):
         app.find_text("These are Newton's")
 
 
+def test_matrices(display):
+    """Two masses between walls: m and 2 m on the diagonal of M; in K the sum of two springs, which lie on one line, and
+    minus the one between the masses; C is of the damper alone. Each entry has its value, and lights up what it is of."""
+    content = scene(support("Wall", 0, 0, solid=False), mass("One", 1, 0, mass=2), mass("Two", 3, 0, mass=4),
+                    spring("Near", "Wall", "One", stiffness=25, rest_length=1),
+                    spring("Far", "One", "Two", stiffness=50, rest_length=2),
+                    {"type": "damper", "name": "Brake", "ends": ["One", "Two"], "damping": 3})
+    with App(display, content) as app:
+        app.show_width()
+        app.click("Equations", role="tab")
+        app.choose_from(app.find("combo box", "Form of Equations"), "Matrix")
+        app.find("image", "K equals")
+        for name, beneath in (("One: row 1, column 1: m", "2 kg"), ("Near: row 1, column 1: k", "Σ 75 N/m"),
+                              ("Far: row 1, column 2: minus k", "−50 N/m"), ("Brake: row 2, column 2: c", "3 N·s/m")):
+            found = re.compile(f"^{name}( one| two|$)")
+            app.find("image", found)
+            app.click("Values", role="check box")
+            wait(lambda: app.look("image", found, description=beneath), f"{beneath} beneath {name}")
+            app.click("Values", role="check box")
+        term = app.find("image", re.compile("^Brake: row 1, column 1: "))
+        about = app.area(1.6, -0.5, 2.4, 0.5)
+        app.xdotool("mousemove", *app.at(2, 2))
+        app.still_picture(1.6, -0.5, 2.4, 0.5)
+        plain = app.picture().cut(about)
+        app.bring_into_view(term)
+        app.xdotool("mousemove", *app.middle(term))
+        wait(lambda: app.picture().cut(about) != plain, "a halo about the damper")
+
+
+def test_pattern_of_many_coordinates(display):
+    """Twelve masses in a chain with one end free: 2 k on the diagonal but for the last, -k beside it."""
+    masses = [mass(f"M{i}", i + 1, 0) for i in range(12)]
+    springs = [spring(f"S{i}", f"M{i - 1}" if i else "Wall", f"M{i}", stiffness=50, rest_length=1) for i in range(12)]
+    with App(display, scene(support("Wall", 0, 0, solid=False), *masses, *springs, width=16)) as app:
+        app.click("Equations", role="tab")
+        app.choose_from(app.find("combo box", "Form of Equations"), "Matrix")
+        app.find("label", "K is tridiagonal, 12 × 12, with 34 entries")
+        app.find_text("on the diagonal, 11 of 12, 100 N/m")
+        app.find_text("beside it, −50 N/m")
+
+
 if __name__ == "__main__":
     main()

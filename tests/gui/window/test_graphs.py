@@ -252,5 +252,23 @@ def test_floating_graph_is_sized_by_its_corner(display):
         check_close(size[1], 3, 0.11, "height")
 
 
+def test_graph_that_is_floated_stays_inside(display):
+    """The canvas of a tall scene becomes taller as the graph leaves the dock, and what is on it larger."""
+    tower = [mass(f"M{i}", 0, 3 * i) for i in range(6)]
+    with App(display, scene(*tower, width=4, duration=0.1, graphs=[{"block": "M0", "quantity": "y"}])) as app:
+        app.activate("zoom-fit")
+        low = app.canvas_box()[3]
+        app.click("Float on the Canvas")
+        wait(lambda: app.canvas_box()[3] > low, "the canvas to become taller")
+        app.find("button", "Dock Below the Canvas")
+        x, y, width, height = app.settled(graph(app))
+        left, top, across, down = app.canvas_box()
+        check(left <= x and x + width <= left + across and top <= y and y + height <= top + down,
+              f"the graph, {width} x {height} at ({x}, {y}), is inside of the canvas, {across} x {down} at ({left}, {top})")
+        for number in range(6):
+            place = app.at(0, 3 * number)
+            check(not (x <= place[0] <= x + width and y <= place[1] <= y + height), f"M{number} is not covered")
+
+
 if __name__ == "__main__":
     main()
