@@ -1,5 +1,6 @@
 #include "equations/newton/contact-means.h"
 
+#include <float.h>
 #include <math.h>
 
 #include "law/build.h"
@@ -36,7 +37,8 @@ void tinker_contact_mean_geometry(TinkerEquationWriter *writer, const TinkerCont
     add_side(writer, contact, contact->tip, &of_tip, &geometry->tip);
     add_side(writer, contact, contact->seat, &of_seat, &geometry->seat);
     for (int k = 0; k < 2; k++) {
-        const double n = contact->direction[k];
+        const gboolean across = fabs(contact->direction[k]) <= DBL_EPSILON; /* but for rounding */
+        const double n = across ? 0 : contact->direction[k];
         geometry->normal[k] =
             n == 0 || fabs(n) == 1
                 ? tinker_expression_number(n)
