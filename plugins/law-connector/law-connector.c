@@ -56,8 +56,8 @@ static const TinkerInterface interfaces[] = {
 
 static const TinkerBlockType blocks[] = {
     {TINKER_BLOCK("law-connector", "Typed Connector", TINKER_CONNECTOR),
-     .summary = "Pulls its ends together by a law that is typed", .formula = "T = T(L, rate, t)", .least_ends = 2,
-     .most_ends = 2, .end_accepts = TINKER_ACCEPTS_BODY | TINKER_ACCEPTS_SUPPORT, .properties = TINKER_SPAN(properties),
+     .summary = "Pulls its ends together by a law that is typed", .least_ends = 2, .most_ends = 2,
+     .end_accepts = TINKER_ACCEPTS_BODY | TINKER_ACCEPTS_SUPPORT, .properties = TINKER_SPAN(properties),
      .quantities = TINKER_SPAN(quantities), .interfaces = TINKER_SPAN(interfaces)},
 };
 
