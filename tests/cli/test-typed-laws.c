@@ -101,6 +101,28 @@ static void test_equations(CliFixture *fixture, gconstpointer data)
     cli_assert_holds(page->output, "T = 1.33333 N");
 }
 
+/* The forces of potentials as textbooks have them, on the page of equations. */
+static void test_as_in_books(CliFixture *fixture, gconstpointer data)
+{
+    static const struct {
+        const char *law, *lines[2];
+    } laws[] = {
+        {"\"potential\": \"-a*m/sqrt(x^2 + y^2)\", \"a\": \"3 m^3/s^2\"",
+         {"Fx = −a m x / (x² + y²)^(3 / 2)", "Fy = −a m y / (x² + y²)^(3 / 2)"}},
+        {"\"potential\": \"-a*x^2/2 + b*x^4/4\", \"a\": 1, \"b\": 2", {"Fx = a x − b x³", "= 0    no force"}},
+        {"\"potential\": \"-a*cos(b*x)*cos(b*y)\", \"a\": 1, \"b\": 2",
+         {"Fx = −a b sin(b x) cos(b y)", "Fy = −a b cos(b x) sin(b y)"}},
+    };
+    for (gsize i = 0; i < G_N_ELEMENTS(laws); i++) {
+        g_autofree char *text = g_strconcat(
+            HEAD LOAD "{\"type\": \"law-force\", \"name\": \"Law\", \"ends\": [\"Load\"], ", laws[i].law, "}]}", NULL);
+        g_autofree char *scene = cli_write(fixture, "scene.json", text);
+        g_autoptr(TestProgram) page = cli_run_well(fixture, "equations @scene.json");
+        for (int k = 0; k < 2; k++)
+            cli_assert_holds(page->output, laws[i].lines[k]);
+    }
+}
+
 int main(int argc, char **argv)
 {
     g_test_init(&argc, &argv, NULL);
@@ -109,5 +131,6 @@ int main(int argc, char **argv)
     cli_test_add("/cli/typed-laws/kept", test_kept);
     cli_test_add("/cli/typed-laws/units", test_units);
     cli_test_add("/cli/typed-laws/equations", test_equations);
+    cli_test_add("/cli/typed-laws/as-in-books", test_as_in_books);
     return g_test_run();
 }

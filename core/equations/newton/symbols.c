@@ -5,6 +5,7 @@
 #include "equations/newton/writer.h"
 #include "law/derivative.h"
 #include "law/reduce.h"
+#include "law/simplify.h"
 #include "law/value.h"
 
 #include <tinker/kernels.h>
@@ -159,6 +160,21 @@ TinkerExpression *tinker_writer_derivative(TinkerEquationWriter *writer, const T
     Derivative asked = {writer, symbol};
     g_autoptr(TinkerExpression) raw = tinker_expression_derivative(expression, derivative_of, &asked);
     return tinker_expression_reduced(raw);
+}
+
+TinkerExpression *tinker_writer_slope(TinkerEquationWriter *writer, const TinkerExpression *potential,
+                                      const char *symbol, int sign)
+{
+    g_autoptr(TinkerExpression) slope = tinker_writer_derivative(writer, potential, symbol);
+    g_autoptr(TinkerExpression) raw =
+        sign < 0 ? tinker_expression_negated(g_steal_pointer(&slope)) : g_steal_pointer(&slope);
+    TinkerExpression *simple = tinker_expression_simplified(raw);
+    /* powers that stand apart may be beyond what a number can be where their quotient is not */
+    const gboolean lost = !isfinite(tinker_equations_value(writer->equations, simple)) &&
+                          isfinite(tinker_equations_value(writer->equations, raw));
+    if (!lost) return simple;
+    tinker_expression_unref(simple);
+    return g_steal_pointer(&raw);
 }
 
 TinkerExpression *tinker_writer_rate(TinkerEquationWriter *writer, const TinkerExpression *expression)
