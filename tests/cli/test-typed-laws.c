@@ -123,6 +123,31 @@ static void test_as_in_books(CliFixture *fixture, gconstpointer data)
     }
 }
 
+/* A field's number is one symbol, whichever body it acts on. */
+static void test_one_symbol(CliFixture *fixture, gconstpointer data)
+{
+    g_autofree char *scene =
+        cli_write(fixture, "scene.json",
+                  HEAD LOAD "{\"type\": \"mass\", \"name\": \"Other\", \"mass\": 1, \"position\": [4, 1]},"
+                            "{\"type\": \"mass\", \"name\": \"Third\", \"mass\": 3, \"position\": [5, 1]},"
+                            "{\"type\": \"law-field\", \"name\": \"Law\", \"force_x\": \"-a*x\", \"a\": \"7 N/m\"}]}");
+    g_autoptr(TestProgram) program = cli_run_well(fixture, "equations @scene.json --as json");
+    cJSON *root = cJSON_Parse(program->output);
+    int found = 0;
+    const cJSON *symbol;
+    cJSON_ArrayForEach(symbol, cJSON_GetObjectItem(root, "symbols"))
+    {
+        const cJSON *property = cJSON_GetObjectItem(symbol, "property");
+        found += cJSON_IsString(property) && strcmp(property->valuestring, "a") == 0;
+    }
+    g_assert_cmpint(found, ==, 1);
+    cJSON_Delete(root);
+    g_autoptr(TestProgram) page = cli_run_well(fixture, "equations @scene.json");
+    cli_assert_holds(page->output, "F₁x = −a x₁");
+    cli_assert_holds(page->output, "F₂x = −a x₂");
+    cli_assert_holds(page->output, "F₃x = −a x₃");
+}
+
 int main(int argc, char **argv)
 {
     g_test_init(&argc, &argv, NULL);
@@ -132,5 +157,6 @@ int main(int argc, char **argv)
     cli_test_add("/cli/typed-laws/units", test_units);
     cli_test_add("/cli/typed-laws/equations", test_equations);
     cli_test_add("/cli/typed-laws/as-in-books", test_as_in_books);
+    cli_test_add("/cli/typed-laws/one-symbol", test_one_symbol);
     return g_test_run();
 }

@@ -25,6 +25,16 @@ TinkerExpression *tinker_writer_symbol(TinkerEquationWriter *writer, const char 
     return tinker_expression_symbol(name);
 }
 
+/* The symbol that a property has already; NULL. (transfer full) */
+static TinkerExpression *known_property(const TinkerEquationWriter *writer, TinkerBlockId block, const char *key)
+{
+    for (guint i = 0; i < writer->equations->symbols->len; i++) {
+        const TinkerEquationSymbol *known = g_ptr_array_index(writer->equations->symbols, i);
+        if (known->block == block && g_strcmp0(known->property, key) == 0) return tinker_expression_symbol(known->name);
+    }
+    return NULL;
+}
+
 /* What a property's column stands for: a symbol of this stem, the same for each call; 0 where its value is 0. (transfer
  * full) */
 static TinkerExpression *property_symbol(TinkerEquationWriter *writer, TinkerBlockId block, int32_t property,
@@ -36,10 +46,8 @@ static TinkerExpression *property_symbol(TinkerEquationWriter *writer, TinkerBlo
     if (value == 0) return tinker_expression_number(0);
     const gboolean vector = type->kind == TINKER_KIND_VECTOR;
     g_autofree char *key = vector ? g_strconcat(type->id, component == 0 ? " x" : " y", NULL) : g_strdup(type->id);
-    for (guint i = 0; i < writer->equations->symbols->len; i++) {
-        const TinkerEquationSymbol *known = g_ptr_array_index(writer->equations->symbols, i);
-        if (known->block == block && g_strcmp0(known->property, key) == 0) return tinker_expression_symbol(known->name);
-    }
+    TinkerExpression *known = known_property(writer, block, key);
+    if (known != NULL) return known;
     const char *name = tinker_writer_name(writer, block, stem, 0, NULL);
     return tinker_writer_symbol(writer, name, block, value, type->dimension, key, NULL);
 }
@@ -277,10 +285,12 @@ static TinkerExpression *waveform(TinkerEquationWriter *writer, const TinkerLawU
                                 kind == TINKER_WAVEFORM_EXPRESSION);
 }
 
-/* A number of a typed law. */
+/* A number of a typed law, the same symbol on every body that a field acts on. */
 static TinkerExpression *typed_number(const Use *use, const TinkerLawSymbol *symbol)
 {
     const TinkerBlockId block = use->use->block;
+    TinkerExpression *known = known_property(use->writer, block, symbol->name);
+    if (known != NULL) return known;
     const char *name = tinker_writer_name(use->writer, block, symbol->name, 0, NULL);
     return tinker_writer_symbol(use->writer, name, block, symbol->number, symbol->dimension, symbol->name, NULL);
 }
