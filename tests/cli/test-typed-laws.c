@@ -64,6 +64,27 @@ static void test_kept(CliFixture *fixture, gconstpointer data)
     cli_assert_holds(program->output, "\"tension\": \"a*(L - b)\", \"a\": \"18 N/m\", \"b\": 1");
 }
 
+/* Numbers with units of any kind: in files, and on pages of equations, with what they are in SI where they are in none
+ * of its units. A foot is 0.3048 m, a pound of force 4.4482216152605 N. */
+static void test_units_are_kept(CliFixture *fixture, gconstpointer data)
+{
+    g_autofree char *scene =
+        cli_write(fixture, "scene.json",
+                  HEAD WALL LOAD LAW
+                  "\"tension\": \"a*L^2 + b*(L - c) + d*L + e*t + f\", \"a\": \"3 kg/m\", \"b\": \"2 lbf/ft\", "
+                  "\"c\": \"1 ft\", \"d\": \"25 N/m\", \"e\": \"3.0\", \"f\": \"1e3\"}]}");
+    g_autoptr(TestProgram) converted = cli_run_well(fixture, "convert @scene.json");
+    cli_assert_holds(converted->output, "\"a\": \"3 kg/m\", \"b\": \"2 lbf/ft\", \"c\": \"1 ft\", \"d\": \"25 N/m\", "
+                                        "\"e\": \"3.0\", \"f\": \"1e3\"");
+    g_autoptr(TestProgram) page = cli_run_well(fixture, "equations @scene.json");
+    static const char *const lines[] = {
+        "a = 3 kg/m ", "b = 2 lbf/ft = 29.1878 N/m", "c = 1 ft = 0.3048 m", "d = 25 N/m ", "e = 3 ", "f = 1000 "};
+    for (gsize i = 0; i < G_N_ELEMENTS(lines); i++)
+        cli_assert_holds(page->output, lines[i]);
+    g_autoptr(TestProgram) latex = cli_run_well(fixture, "equations @scene.json --as latex");
+    cli_assert_holds(latex->output, "1\\,\\text{ft} = 0.3048\\,\\text{m}");
+}
+
 /* A note where units do not come out, and none where they do. */
 static void test_units(CliFixture *fixture, gconstpointer data)
 {
@@ -222,5 +243,6 @@ int main(int argc, char **argv)
     cli_test_add("/cli/typed-laws/one-symbol", test_one_symbol);
     cli_test_add("/cli/typed-laws/booked-as-what-it-is", test_booked_as_what_it_is);
     cli_test_add("/cli/typed-laws/drag-is-taken", test_drag_is_taken);
+    cli_test_add("/cli/typed-laws/units-are-kept", test_units_are_kept);
     return g_test_run();
 }
