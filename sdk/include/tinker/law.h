@@ -1,8 +1,9 @@
 /* Tinker SDK: a block's law, stated as data beside its code.
  *
  * From it the host makes the lines that say what a block does, and the equations of a scene; it typesets them,
- * differentiates them and checks their dimensions, and `tinker plugins check` holds the code to it at random states (rule
- * "law"). A block may leave it out: all else works, and where its law would be shown its force has a name and no more.
+ * differentiates them and checks their dimensions, and `tinker plugins check` holds the code to it at random states
+ * (rule "law"). A block may leave it out: all else works, and where its law would be shown its force has a name and no
+ * more.
  *
  * The law is a list of equations, symbol = expression, each of which may use the symbols before it. Expressions are of
  * the grammar that waveforms have as well (docs/reference/expressions.md). Their symbols are:
