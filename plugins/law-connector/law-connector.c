@@ -147,14 +147,14 @@ static double energy_of(const TinkerBatch *batch, int32_t i, double length)
 
 static TinkerStatus energy(TinkerBatch *batch, const double *length, double *stored)
 {
-    if (batch->count > 1 && any_has(batch, FORMULA_POTENTIAL)) {
-        const TinkerTypedQuestion potential = tinker_typed_question(batch, FORMULA_POTENTIAL, &length, NULL);
-        tinker_typed_laws->values(&potential, stored);
+    if (batch->count == 1) {
+        stored[0] = energy_of(batch, 0, length[0]);
+        return TINKER_OK;
     }
-    if (batch->count > 1 && !any_has(batch, FORMULA_TENSION)) return TINKER_OK;
+    const TinkerTypedQuestion potential = tinker_typed_question(batch, FORMULA_POTENTIAL, &length, NULL);
+    tinker_typed_laws->values(&potential, stored);
     for (int32_t i = 0; i < batch->count; i++)
-        if (batch->count == 1 || tinker_typed(batch, i, FORMULA_POTENTIAL) == NULL)
-            stored[i] = energy_of(batch, i, length[i]);
+        if (tinker_typed(batch, i, FORMULA_POTENTIAL) == NULL) stored[i] = energy_of(batch, i, length[i]);
     return TINKER_OK;
 }
 
