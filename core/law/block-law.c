@@ -265,7 +265,7 @@ gboolean tinker_law_is_step(const char *symbol)
         "tension",        "potential", "g", "displacement_x", "displacement_y", "pair_force_x", "pair_force_y",
         "pair_potential", "rotation",  NULL};
     if (g_strv_contains(asked, symbol)) return FALSE;
-    static const char *const counted[] = {"force_x", "force_y", "torque"};
+    static const char *const counted[] = {"force_x", "force_y", "torque", "impulse_x", "impulse_y", "angular_impulse"};
     for (gsize i = 0; i < G_N_ELEMENTS(counted); i++)
         if (g_str_has_prefix(symbol, counted[i]) &&
             strspn(symbol + strlen(counted[i]), "0123456789") == strlen(symbol + strlen(counted[i])))

@@ -112,19 +112,29 @@ static gboolean compile_all(TinkerTypedLaw *formula, const TinkerExpression *is,
     return good;
 }
 
+TinkerExpression *tinker_typed_folded(const TinkerBlockClass *block_class, int32_t property,
+                                      TinkerTypedLawTextFunc text_of, void *data, GError **error)
+{
+    g_autoptr(TinkerExpression) typed = tinker_typed_parse(block_class, property, text_of(property, data), error);
+    if (typed == NULL) return NULL;
+    Numbers numbers = {block_class, &block_class->properties[property], text_of, data, error, FALSE};
+    g_autoptr(TinkerExpression) is = tinker_expression_folded(typed, number_of, &numbers);
+    return numbers.failed ? NULL : g_steal_pointer(&is);
+}
+
 TinkerTypedLaw *tinker_typed_new(const TinkerBlockClass *block_class, int32_t property, TinkerTypedLawTextFunc text_of,
                                  void *data, GError **error)
 {
     const TinkerPropertyType *type = &block_class->properties[property];
-    g_autoptr(TinkerExpression) typed = tinker_typed_parse(block_class, property, text_of(property, data), error);
-    if (typed == NULL) return NULL;
-    Numbers numbers = {block_class, type, text_of, data, error, FALSE};
-    g_autoptr(TinkerExpression) is = tinker_expression_folded(typed, number_of, &numbers);
-    if (numbers.failed) return NULL;
+    g_autoptr(TinkerExpression) is = tinker_typed_folded(block_class, property, text_of, data, error);
+    if (is == NULL) return NULL;
     TinkerTypedLaw *formula = g_new0(TinkerTypedLaw, 1);
     formula->count = type->choice_count;
     formula->slopes = g_new0(TinkerCompiled *, formula->count);
     formula->curvatures = g_new0(TinkerCompiled *, formula->count * formula->count);
+    formula->depends_on_time = tinker_expression_uses(is, "t");
+    formula->depends_on_velocity =
+        tinker_expression_uses(is, "rate") || tinker_expression_uses(is, "vx") || tinker_expression_uses(is, "vy");
     if (compile_all(formula, is, type)) return formula;
     tinker_typed_free(formula);
     g_set_error(error, TINKER_WAVEFORM_ERROR, TINKER_WAVEFORM_ERROR_SYNTAX,

@@ -136,7 +136,7 @@ static const TinkerInterface interfaces[] = {
 
 static const TinkerBlockType blocks[] = {
     {TINKER_BLOCK("bar", "Bar", TINKER_CONNECTABLE), .summary = "A slender rigid body that turns",
-     .formula = "m a = F, I alpha = M", .properties = TINKER_SPAN(properties), .quantities = TINKER_SPAN(quantities),
+     .properties = TINKER_SPAN(properties), .quantities = TINKER_SPAN(quantities),
      .interfaces = TINKER_SPAN(interfaces)},
 };
 

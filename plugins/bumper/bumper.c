@@ -154,9 +154,9 @@ static const TinkerBlockType blocks[] = {
     {TINKER_BLOCK("bumper", "Bumper", TINKER_CONNECTOR),
      .summary = "A spring that bodies run into, a buffer: pushes its ends apart while they are nearer than its length, "
                 "and never pulls",
-     .formula = "F = k (L0 - L) - c dL/dt", .least_ends = 2, .most_ends = 2,
-     .end_accepts = TINKER_ACCEPTS_BODY | TINKER_ACCEPTS_SUPPORT, .properties = TINKER_SPAN(properties),
-     .quantities = TINKER_SPAN(quantities), .interfaces = TINKER_SPAN(interfaces), .law = TINKER_SPAN(law)},
+     .least_ends = 2, .most_ends = 2, .end_accepts = TINKER_ACCEPTS_BODY | TINKER_ACCEPTS_SUPPORT,
+     .properties = TINKER_SPAN(properties), .quantities = TINKER_SPAN(quantities),
+     .interfaces = TINKER_SPAN(interfaces), .law = TINKER_SPAN(law)},
 };
 
 TINKER_DEFINE_PLUGIN("org.tinker.bumper", "Bumper", "0.1.0", "MIT", blocks)

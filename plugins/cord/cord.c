@@ -352,9 +352,9 @@ static const TinkerInterface interfaces[] = {
 static const TinkerBlockType blocks[] = {
     {TINKER_BLOCK("cord", "Cord", TINKER_ROPE),
      .summary = "Wound on a disc that it turns, one on either side of a heavy pulley; it pulls and never pushes",
-     .formula = "L - R (φ - θ) <= l", .least_ends = 2, .most_ends = 2,
-     .end_accepts = TINKER_ACCEPTS_BODY | TINKER_ACCEPTS_SUPPORT, .properties = TINKER_SPAN(properties),
-     .quantities = TINKER_SPAN(quantities), .interfaces = TINKER_SPAN(interfaces), .law = TINKER_SPAN(law)},
+     .least_ends = 2, .most_ends = 2, .end_accepts = TINKER_ACCEPTS_BODY | TINKER_ACCEPTS_SUPPORT,
+     .properties = TINKER_SPAN(properties), .quantities = TINKER_SPAN(quantities),
+     .interfaces = TINKER_SPAN(interfaces), .law = TINKER_SPAN(law)},
 };
 
 TINKER_DEFINE_PLUGIN("org.tinker.cord", "Cord", "0.1.0", "MIT", blocks)

@@ -107,8 +107,8 @@ static const TinkerInterface interfaces[] = {
 
 static const TinkerBlockType blocks[] = {
     {TINKER_BLOCK("damper", "Damper", TINKER_CONNECTOR),
-     .summary = "Resists the rate at which its ends move apart or together", .formula = "T = c dL/dt", .least_ends = 2,
-     .most_ends = 2, .end_accepts = TINKER_ACCEPTS_BODY | TINKER_ACCEPTS_SUPPORT, .properties = TINKER_SPAN(properties),
+     .summary = "Resists the rate at which its ends move apart or together", .least_ends = 2, .most_ends = 2,
+     .end_accepts = TINKER_ACCEPTS_BODY | TINKER_ACCEPTS_SUPPORT, .properties = TINKER_SPAN(properties),
      .quantities = TINKER_SPAN(quantities), .interfaces = TINKER_SPAN(interfaces), .law = TINKER_SPAN(law)},
 };
 

@@ -104,7 +104,7 @@ static const TinkerInterface interfaces[] = {
 
 static const TinkerBlockType blocks[] = {
     {TINKER_BLOCK("disc", "Disc", TINKER_CONNECTABLE), .summary = "A rigid round body that turns",
-     .formula = "m a = F, I alpha = M", .properties = TINKER_SPAN(properties), .quantities = TINKER_SPAN(quantities),
+     .properties = TINKER_SPAN(properties), .quantities = TINKER_SPAN(quantities),
      .interfaces = TINKER_SPAN(interfaces)},
 };
 

@@ -188,7 +188,7 @@ static const TinkerInterface interfaces[] = {
 
 static const TinkerBlockType blocks[] = {
     {TINKER_BLOCK("gravity", "Gravity", TINKER_FIELD), .summary = "Makes all masses fall",
-     .formula = "F = m g (cos θ, sin θ)", .properties = TINKER_SPAN(properties), .quantities = TINKER_SPAN(quantities),
+     .properties = TINKER_SPAN(properties), .quantities = TINKER_SPAN(quantities),
      .interfaces = TINKER_SPAN(interfaces), .law = TINKER_SPAN(law)},
 };
 

@@ -176,9 +176,8 @@ static const TinkerInterface interfaces[] = {
 
 static const TinkerBlockType blocks[] = {
     {TINKER_BLOCK("hand", "Hand", TINKER_FORCE), .summary = "Pulls one body to where it is dragged, while it runs",
-     .formula = "F = k (p - x) - c v", .least_ends = 1, .most_ends = 1, .end_accepts = TINKER_ACCEPTS_BODY,
-     .properties = TINKER_SPAN(properties), .quantities = TINKER_SPAN(quantities),
-     .interfaces = TINKER_SPAN(interfaces), .law = TINKER_SPAN(law)},
+     .least_ends = 1, .most_ends = 1, .end_accepts = TINKER_ACCEPTS_BODY, .properties = TINKER_SPAN(properties),
+     .quantities = TINKER_SPAN(quantities), .interfaces = TINKER_SPAN(interfaces), .law = TINKER_SPAN(law)},
 };
 
 TINKER_DEFINE_PLUGIN("org.tinker.hand", "Hand", "0.1.0", "MIT", blocks)

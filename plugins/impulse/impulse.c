@@ -185,6 +185,9 @@ static const TinkerQuantityType quantities[] = {
 static const TinkerLawEquation law[] = {
     TINKER_EQUATION("force_x", "0", NULL, TINKER_DIMENSION_FORCE),
     TINKER_EQUATION("force_y", "0", NULL, TINKER_DIMENSION_FORCE),
+    TINKER_EQUATION("impulse_x", "J*cos(θ)", NULL, TINKER_DIMENSION_MOMENTUM),
+    TINKER_EQUATION("impulse_y", "J*sin(θ)", NULL, TINKER_DIMENSION_MOMENTUM),
+    TINKER_EQUATION("angular_impulse", "H", NULL, {1, 2, -1, 0}),
 };
 
 static const TinkerForceElement force_element = {.struct_size = sizeof(TinkerForceElement),
@@ -208,10 +211,9 @@ static const TinkerInterface interfaces[] = {
 };
 
 static const TinkerBlockType blocks[] = {
-    {TINKER_BLOCK("impulse", "Impulse", TINKER_FORCE), .summary = "A blow on a body at an instant",
-     .formula = "Δp = J (cos θ, sin θ), ΔL = r × Δp + H at t = τ", .least_ends = 1, .most_ends = 1,
-     .end_accepts = TINKER_ACCEPTS_BODY, .properties = TINKER_SPAN(properties), .quantities = TINKER_SPAN(quantities),
-     .interfaces = TINKER_SPAN(interfaces), .law = TINKER_SPAN(law)},
+    {TINKER_BLOCK("impulse", "Impulse", TINKER_FORCE), .summary = "A blow on a body at an instant", .least_ends = 1,
+     .most_ends = 1, .end_accepts = TINKER_ACCEPTS_BODY, .properties = TINKER_SPAN(properties),
+     .quantities = TINKER_SPAN(quantities), .interfaces = TINKER_SPAN(interfaces), .law = TINKER_SPAN(law)},
 };
 
 TINKER_DEFINE_PLUGIN("org.tinker.impulse", "Impulse", "0.1.0", "MIT", blocks)

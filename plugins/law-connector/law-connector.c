@@ -23,7 +23,7 @@ static const TinkerQuantityType quantities[] = {
     TINKER_QUANTITY(0, "length", "Length", "Distance between the ends", TINKER_DIMENSION_LENGTH),
     TINKER_QUANTITY(TINKER_RECORDED, "tension", "Tension", "Force that pulls the ends together",
                     TINKER_DIMENSION_FORCE),
-    TINKER_QUANTITY(0, "energy", "Stored Energy", "By its potential; 0 of one that gives a tension",
+    TINKER_QUANTITY(0, "energy", "Stored Energy", "By its potential, or by what its tension stores",
                     TINKER_DIMENSION_ENERGY),
 };
 
@@ -56,8 +56,8 @@ static const TinkerInterface interfaces[] = {
 
 static const TinkerBlockType blocks[] = {
     {TINKER_BLOCK("law-connector", "Typed Connector", TINKER_CONNECTOR),
-     .summary = "Pulls its ends together by a law that is typed", .formula = "T = T(L, rate, t)", .least_ends = 2,
-     .most_ends = 2, .end_accepts = TINKER_ACCEPTS_BODY | TINKER_ACCEPTS_SUPPORT, .properties = TINKER_SPAN(properties),
+     .summary = "Pulls its ends together by a law that is typed", .least_ends = 2, .most_ends = 2,
+     .end_accepts = TINKER_ACCEPTS_BODY | TINKER_ACCEPTS_SUPPORT, .properties = TINKER_SPAN(properties),
      .quantities = TINKER_SPAN(quantities), .interfaces = TINKER_SPAN(interfaces)},
 };
 
@@ -136,17 +136,25 @@ static TinkerStatus derivatives(TinkerBatch *batch, const double *length, const 
     return TINKER_OK;
 }
 
+/* By its potential, or what its tension stores. NAN: none that is known. */
+static double energy_of(const TinkerBatch *batch, int32_t i, double length)
+{
+    const double at[] = {length, 0.0, batch->time};
+    const TinkerTypedLaw *potential = tinker_typed(batch, i, FORMULA_POTENTIAL);
+    return potential != NULL ? tinker_typed_laws->value(potential, at)
+                             : tinker_typed_laws->energy(tinker_typed(batch, i, FORMULA_TENSION), at);
+}
+
 static TinkerStatus energy(TinkerBatch *batch, const double *length, double *stored)
 {
     if (batch->count == 1) {
-        const TinkerTypedLaw *first = tinker_typed(batch, 0, FORMULA_POTENTIAL);
-        stored[0] = first != NULL ? tinker_typed_laws->value(first, length) : NAN;
+        stored[0] = energy_of(batch, 0, length[0]);
         return TINKER_OK;
     }
     const TinkerTypedQuestion potential = tinker_typed_question(batch, FORMULA_POTENTIAL, &length, NULL);
-    for (int32_t i = 0; i < batch->count; i++)
-        stored[i] = NAN;
     tinker_typed_laws->values(&potential, stored);
+    for (int32_t i = 0; i < batch->count; i++)
+        if (tinker_typed(batch, i, FORMULA_POTENTIAL) == NULL) stored[i] = energy_of(batch, i, length[i]);
     return TINKER_OK;
 }
 
@@ -183,11 +191,11 @@ static TinkerStatus values(TinkerBatch *batch, const TinkerGraphInput *input, in
         const double length = result[i];
         const double along = (b->x - a->x) * (b->vx - a->vx) + (b->y - a->y) * (b->vy - a->vy);
         const double rate = length > 0.0 ? along / length : 0.0;
-        const TinkerTypedLaw *potential = tinker_typed(batch, i, FORMULA_POTENTIAL);
+        const double stored = quantity == QUANTITY_ENERGY ? energy_of(batch, i, length) : 0.0;
         if (quantity == QUANTITY_TENSION)
             result[i] = tension_of(batch, i, length, rate);
         else
-            result[i] = potential != NULL ? tinker_typed_laws->value(potential, &length) : 0.0;
+            result[i] = stored == stored ? stored : 0.0;
     }
     return TINKER_OK;
 }

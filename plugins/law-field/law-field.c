@@ -57,8 +57,8 @@ static const TinkerInterface interfaces[] = {
 
 static const TinkerBlockType blocks[] = {
     {TINKER_BLOCK("law-field", "Typed Field", TINKER_FIELD), .summary = "A force on every body by a law that is typed",
-     .formula = "F = F(x, y, vx, vy, t, m)", .properties = TINKER_SPAN(properties),
-     .quantities = TINKER_SPAN(quantities), .interfaces = TINKER_SPAN(interfaces)},
+     .properties = TINKER_SPAN(properties), .quantities = TINKER_SPAN(quantities),
+     .interfaces = TINKER_SPAN(interfaces)},
 };
 
 TINKER_DEFINE_TYPED_PLUGIN("org.tinker.law-field", "Typed Field", "0.1.0", "MIT", blocks)

@@ -60,9 +60,8 @@ static const TinkerInterface interfaces[] = {
 
 static const TinkerBlockType blocks[] = {
     {TINKER_BLOCK("law-force", "Typed Force", TINKER_FORCE), .summary = "A force on one body by a law that is typed",
-     .formula = "F = F(x, y, vx, vy, t, m)", .least_ends = 1, .most_ends = 1, .end_accepts = TINKER_ACCEPTS_BODY,
-     .properties = TINKER_SPAN(properties), .quantities = TINKER_SPAN(quantities),
-     .interfaces = TINKER_SPAN(interfaces)},
+     .least_ends = 1, .most_ends = 1, .end_accepts = TINKER_ACCEPTS_BODY, .properties = TINKER_SPAN(properties),
+     .quantities = TINKER_SPAN(quantities), .interfaces = TINKER_SPAN(interfaces)},
 };
 
 TINKER_DEFINE_TYPED_PLUGIN("org.tinker.law-force", "Typed Force", "0.1.0", "MIT", blocks)

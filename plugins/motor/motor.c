@@ -186,9 +186,8 @@ static const TinkerInterface interfaces[] = {
 
 static const TinkerBlockType blocks[] = {
     {TINKER_BLOCK("motor", "Motor", TINKER_FORCE), .summary = "A force on one mass that varies with time",
-     .formula = "F (cos θ, sin θ), F = A cos(ω t + φ)", .least_ends = 1, .most_ends = 1,
-     .end_accepts = TINKER_ACCEPTS_BODY, .properties = TINKER_SPAN(properties), .quantities = TINKER_SPAN(quantities),
-     .interfaces = TINKER_SPAN(interfaces), .law = TINKER_SPAN(law)},
+     .least_ends = 1, .most_ends = 1, .end_accepts = TINKER_ACCEPTS_BODY, .properties = TINKER_SPAN(properties),
+     .quantities = TINKER_SPAN(quantities), .interfaces = TINKER_SPAN(interfaces), .law = TINKER_SPAN(law)},
 };
 
 TINKER_DEFINE_PLUGIN("org.tinker.motor", "Motor", "0.1.0", "MIT", blocks)

@@ -236,7 +236,7 @@ static const TinkerInterface interfaces[] = {
 
 static const TinkerBlockType blocks[] = {
     {TINKER_BLOCK("plate", "Plate", TINKER_CONNECTABLE), .summary = "A rigid body with any outline, which turns",
-     .formula = "m a = F, I alpha = M", .properties = TINKER_SPAN(properties), .quantities = TINKER_SPAN(quantities),
+     .properties = TINKER_SPAN(properties), .quantities = TINKER_SPAN(quantities),
      .interfaces = TINKER_SPAN(interfaces)},
 };
 

@@ -166,9 +166,8 @@ static const TinkerInterface interfaces[] = {
 };
 
 static const TinkerBlockType blocks[] = {
-    {TINKER_BLOCK("rack", "Rack", TINKER_JOINT), .summary = "Moves along a line as a pinion turns",
-     .formula = "(x2 - x1) · u = R θ1, u = (cos α, sin α)", .least_ends = 2, .most_ends = 2,
-     .end_accepts = TINKER_ACCEPTS_BODY | TINKER_ACCEPTS_SUPPORT, .properties = TINKER_SPAN(properties),
+    {TINKER_BLOCK("rack", "Rack", TINKER_JOINT), .summary = "Moves along a line as a pinion turns", .least_ends = 2,
+     .most_ends = 2, .end_accepts = TINKER_ACCEPTS_BODY | TINKER_ACCEPTS_SUPPORT, .properties = TINKER_SPAN(properties),
      .quantities = TINKER_SPAN(quantities), .interfaces = TINKER_SPAN(interfaces), .law = TINKER_SPAN(law)},
 };
 

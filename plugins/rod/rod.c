@@ -120,9 +120,9 @@ static const TinkerInterface interfaces[] = {
 
 static const TinkerBlockType blocks[] = {
     {TINKER_BLOCK("rod", "Rod", TINKER_CONNECTOR), .summary = "Keeps a fixed distance between its ends",
-     .formula = "|x2 - x1| = l", .least_ends = 2, .most_ends = 2,
-     .end_accepts = TINKER_ACCEPTS_BODY | TINKER_ACCEPTS_SUPPORT, .properties = TINKER_SPAN(properties),
-     .quantities = TINKER_SPAN(quantities), .interfaces = TINKER_SPAN(interfaces), .law = TINKER_SPAN(law)},
+     .least_ends = 2, .most_ends = 2, .end_accepts = TINKER_ACCEPTS_BODY | TINKER_ACCEPTS_SUPPORT,
+     .properties = TINKER_SPAN(properties), .quantities = TINKER_SPAN(quantities),
+     .interfaces = TINKER_SPAN(interfaces), .law = TINKER_SPAN(law)},
 };
 
 TINKER_DEFINE_PLUGIN("org.tinker.rod", "Rod", "0.1.0", "MIT", blocks)

@@ -243,10 +243,10 @@ static const TinkerInterface interfaces[] = {
 
 static const TinkerBlockType blocks[] = {
     {TINKER_BLOCK("rope", "Rope", TINKER_ROPE),
-     .summary = "Over any number of small wheels, which it does not turn; it pulls and never pushes",
-     .formula = "|x2 - x1| + |x3 - x2| + ... <= l", .least_ends = 2, .most_ends = -1,
-     .end_accepts = TINKER_ACCEPTS_BODY | TINKER_ACCEPTS_SUPPORT, .properties = TINKER_SPAN(properties),
-     .quantities = TINKER_SPAN(quantities), .interfaces = TINKER_SPAN(interfaces), .law = TINKER_SPAN(law)},
+     .summary = "Over any number of small wheels, which it does not turn; it pulls and never pushes", .least_ends = 2,
+     .most_ends = -1, .end_accepts = TINKER_ACCEPTS_BODY | TINKER_ACCEPTS_SUPPORT,
+     .properties = TINKER_SPAN(properties), .quantities = TINKER_SPAN(quantities),
+     .interfaces = TINKER_SPAN(interfaces), .law = TINKER_SPAN(law)},
 };
 
 TINKER_DEFINE_PLUGIN("org.tinker.rope", "Rope", "0.1.0", "MIT", blocks)

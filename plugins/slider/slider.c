@@ -74,8 +74,7 @@ static const TinkerInterface interfaces[] = {
 
 static const TinkerBlockType blocks[] = {
     {TINKER_BLOCK("slider", "Slider", TINKER_JOINT),
-     .summary = "Lets a body slide along a line of another without turning against it",
-     .formula = "(x2 - x1) · n = 0, n = (-sin α, cos α), θ2 - θ1 stays", .least_ends = 2, .most_ends = 2,
+     .summary = "Lets a body slide along a line of another without turning against it", .least_ends = 2, .most_ends = 2,
      .end_accepts = TINKER_ACCEPTS_BODY | TINKER_ACCEPTS_SUPPORT, .flags = TINKER_HAS_SPAN,
      .properties = TINKER_SPAN(properties), .quantities = TINKER_SPAN(quantities),
      .interfaces = TINKER_SPAN(interfaces), .law = TINKER_SPAN(law)},

@@ -59,9 +59,8 @@ static const TinkerInterface interfaces[] = {
 
 static const TinkerBlockType blocks[] = {
     {TINKER_BLOCK("slot", "Slot", TINKER_JOINT), .summary = "Keeps a point on a line that turns with a body",
-     .formula = "(x2 - x1) · n = 0, n = (-sin α, cos α)", .least_ends = 2, .most_ends = 2,
-     .end_accepts = TINKER_ACCEPTS_BODY | TINKER_ACCEPTS_SUPPORT, .flags = TINKER_HAS_SPAN,
-     .properties = TINKER_SPAN(properties), .quantities = TINKER_SPAN(quantities),
+     .least_ends = 2, .most_ends = 2, .end_accepts = TINKER_ACCEPTS_BODY | TINKER_ACCEPTS_SUPPORT,
+     .flags = TINKER_HAS_SPAN, .properties = TINKER_SPAN(properties), .quantities = TINKER_SPAN(quantities),
      .interfaces = TINKER_SPAN(interfaces), .law = TINKER_SPAN(law)},
 };
 

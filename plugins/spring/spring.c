@@ -141,8 +141,8 @@ static const TinkerInterface interfaces[] = {
 
 static const TinkerBlockType blocks[] = {
     {TINKER_BLOCK("spring", "Spring", TINKER_CONNECTOR),
-     .summary = "Pulls or pushes its ends towards its undeformed length", .formula = "T = k (L - L0)", .least_ends = 2,
-     .most_ends = 2, .end_accepts = TINKER_ACCEPTS_BODY | TINKER_ACCEPTS_SUPPORT, .properties = TINKER_SPAN(properties),
+     .summary = "Pulls or pushes its ends towards its undeformed length", .least_ends = 2, .most_ends = 2,
+     .end_accepts = TINKER_ACCEPTS_BODY | TINKER_ACCEPTS_SUPPORT, .properties = TINKER_SPAN(properties),
      .quantities = TINKER_SPAN(quantities), .interfaces = TINKER_SPAN(interfaces), .law = TINKER_SPAN(law)},
 };
 

@@ -164,8 +164,7 @@ static const TinkerInterface interfaces[] = {
 
 static const TinkerBlockType blocks[] = {
     {TINKER_BLOCK("support-motion", "Support Motion", TINKER_MOTION), .summary = "Moves a support as time goes",
-     .formula = "x = x0 + u(t) (cos θ, sin θ), u = A sin(ω t + φ)", .least_ends = 1, .most_ends = 1,
-     .end_accepts = TINKER_ACCEPTS_SUPPORT, .properties = TINKER_SPAN(properties),
+     .least_ends = 1, .most_ends = 1, .end_accepts = TINKER_ACCEPTS_SUPPORT, .properties = TINKER_SPAN(properties),
      .quantities = TINKER_SPAN(quantities), .interfaces = TINKER_SPAN(interfaces), .law = TINKER_SPAN(law)},
 };
 

@@ -120,8 +120,7 @@ static const TinkerInterface interfaces[] = {
 
 static const TinkerBlockType blocks[] = {
     {TINKER_BLOCK("support-turn", "Support Turn", TINKER_MOTION), .summary = "Turns a support as time goes",
-     .formula = "θ = θ0 + u(t), u = A sin(ω t + φ)", .least_ends = 1, .most_ends = 1,
-     .end_accepts = TINKER_ACCEPTS_SUPPORT, .properties = TINKER_SPAN(properties),
+     .least_ends = 1, .most_ends = 1, .end_accepts = TINKER_ACCEPTS_SUPPORT, .properties = TINKER_SPAN(properties),
      .quantities = TINKER_SPAN(quantities), .interfaces = TINKER_SPAN(interfaces), .law = TINKER_SPAN(law)},
 };
 

@@ -211,7 +211,7 @@ static const TinkerInterface interfaces[] = {
 static const TinkerBlockType blocks[] = {
     {TINKER_BLOCK("support", "Support", TINKER_CONNECTABLE),
      .summary = "A fixed place to attach to, with a top that masses land on: floor, wall, ramp, incline, pivot",
-     .formula = "x = const", .properties = TINKER_SPAN(properties), .quantities = TINKER_SPAN(quantities),
+     .properties = TINKER_SPAN(properties), .quantities = TINKER_SPAN(quantities),
      .interfaces = TINKER_SPAN(interfaces)},
 };
 

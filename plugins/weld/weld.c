@@ -100,9 +100,8 @@ static const TinkerInterface interfaces[] = {
 
 static const TinkerBlockType blocks[] = {
     {TINKER_BLOCK("weld", "Weld", TINKER_JOINT), .summary = "Holds two points together and lets nothing turn",
-     .formula = "x2 = x1, θ2 - θ1 stays", .least_ends = 2, .most_ends = 2,
-     .end_accepts = TINKER_ACCEPTS_BODY | TINKER_ACCEPTS_SUPPORT, .quantities = TINKER_SPAN(quantities),
-     .interfaces = TINKER_SPAN(interfaces), .law = TINKER_SPAN(law)},
+     .least_ends = 2, .most_ends = 2, .end_accepts = TINKER_ACCEPTS_BODY | TINKER_ACCEPTS_SUPPORT,
+     .quantities = TINKER_SPAN(quantities), .interfaces = TINKER_SPAN(interfaces), .law = TINKER_SPAN(law)},
 };
 
 TINKER_DEFINE_PLUGIN("org.tinker.weld", "Weld", "0.1.0", "MIT", blocks)

@@ -220,8 +220,8 @@ static const TinkerInterface interfaces[] = {
 
 static const TinkerBlockType blocks[] = {
     {TINKER_BLOCK("wind", "Wind", TINKER_FIELD), .summary = "Drag of moving or still air on all masses",
-     .formula = "F = -c (v - w) - c2 |v - w| (v - w)", .properties = TINKER_SPAN(properties),
-     .quantities = TINKER_SPAN(quantities), .interfaces = TINKER_SPAN(interfaces), .law = TINKER_SPAN(law)},
+     .properties = TINKER_SPAN(properties), .quantities = TINKER_SPAN(quantities),
+     .interfaces = TINKER_SPAN(interfaces), .law = TINKER_SPAN(law)},
 };
 
 TINKER_DEFINE_PLUGIN("org.tinker.wind", "Wind", "0.1.0", "MIT", blocks)

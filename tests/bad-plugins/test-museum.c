@@ -23,7 +23,7 @@ static const Exhibit exhibits[] = {
     {"duplicate-types", "its block types 0 and 2 both have the id \"exhibit\"", 0},
     {"duplicate-property", "block type \"exhibit\": two properties have the id \"weight\"", 0},
     {"negative-count", "block type \"exhibit\": the number of properties is -3, 0 to 10000 was expected", 0},
-    {"short-stride", "the stride of block types is 16 bytes, at least 128 are needed", 0},
+    {"short-stride", "the stride of block types is 16 bytes, at least 120 are needed", 0},
     {"no-blocks", "it declares neither block types nor integrators", 0},
     {"undefined-symbol", "it cannot be opened: undefined symbol: exhibit_missing_function", 0},
     {"crash-in-entry", "it crashed while it was probed: SIGSEGV", 0},

@@ -64,6 +64,27 @@ static void test_kept(CliFixture *fixture, gconstpointer data)
     cli_assert_holds(program->output, "\"tension\": \"a*(L - b)\", \"a\": \"18 N/m\", \"b\": 1");
 }
 
+/* Numbers with units of any kind: in files, and on pages of equations, with what they are in SI where they are in none
+ * of its units. A foot is 0.3048 m, a pound of force 4.4482216152605 N. */
+static void test_units_are_kept(CliFixture *fixture, gconstpointer data)
+{
+    g_autofree char *scene =
+        cli_write(fixture, "scene.json",
+                  HEAD WALL LOAD LAW
+                  "\"tension\": \"a*L^2 + b*(L - c) + d*L + e*t + f\", \"a\": \"3 kg/m\", \"b\": \"2 lbf/ft\", "
+                  "\"c\": \"1 ft\", \"d\": \"25 N/m\", \"e\": \"3.0\", \"f\": \"1e3\"}]}");
+    g_autoptr(TestProgram) converted = cli_run_well(fixture, "convert @scene.json");
+    cli_assert_holds(converted->output, "\"a\": \"3 kg/m\", \"b\": \"2 lbf/ft\", \"c\": \"1 ft\", \"d\": \"25 N/m\", "
+                                        "\"e\": \"3.0\", \"f\": \"1e3\"");
+    g_autoptr(TestProgram) page = cli_run_well(fixture, "equations @scene.json");
+    static const char *const lines[] = {
+        "a = 3 kg/m ", "b = 2 lbf/ft = 29.1878 N/m", "c = 1 ft = 0.3048 m", "d = 25 N/m ", "e = 3 ", "f = 1000 "};
+    for (gsize i = 0; i < G_N_ELEMENTS(lines); i++)
+        cli_assert_holds(page->output, lines[i]);
+    g_autoptr(TestProgram) latex = cli_run_well(fixture, "equations @scene.json --as latex");
+    cli_assert_holds(latex->output, "1\\,\\text{ft} = 0.3048\\,\\text{m}");
+}
+
 /* A note where units do not come out, and none where they do. */
 static void test_units(CliFixture *fixture, gconstpointer data)
 {
@@ -101,6 +122,115 @@ static void test_equations(CliFixture *fixture, gconstpointer data)
     cli_assert_holds(page->output, "T = 1.33333 N");
 }
 
+/* The forces of potentials as textbooks have them, on the page of equations. */
+static void test_as_in_books(CliFixture *fixture, gconstpointer data)
+{
+    static const struct {
+        const char *law, *lines[2];
+    } laws[] = {
+        {"\"potential\": \"-a*m/sqrt(x^2 + y^2)\", \"a\": \"3 m^3/s^2\"",
+         {"Fx = −a m x / (x² + y²)^(3 / 2)", "Fy = −a m y / (x² + y²)^(3 / 2)"}},
+        {"\"potential\": \"-a*x^2/2 + b*x^4/4\", \"a\": 1, \"b\": 2", {"Fx = a x − b x³", "= 0    no force"}},
+        {"\"potential\": \"-a*cos(b*x)*cos(b*y)\", \"a\": 1, \"b\": 2",
+         {"Fx = −a b sin(b x) cos(b y)", "Fy = −a b cos(b x) sin(b y)"}},
+    };
+    for (gsize i = 0; i < G_N_ELEMENTS(laws); i++) {
+        g_autofree char *text = g_strconcat(
+            HEAD LOAD "{\"type\": \"law-force\", \"name\": \"Law\", \"ends\": [\"Load\"], ", laws[i].law, "}]}", NULL);
+        g_autofree char *scene = cli_write(fixture, "scene.json", text);
+        g_autoptr(TestProgram) page = cli_run_well(fixture, "equations @scene.json");
+        for (int k = 0; k < 2; k++)
+            cli_assert_holds(page->output, laws[i].lines[k]);
+    }
+}
+
+/* A field's number is one symbol, whichever body it acts on. */
+static void test_one_symbol(CliFixture *fixture, gconstpointer data)
+{
+    g_autofree char *scene =
+        cli_write(fixture, "scene.json",
+                  HEAD LOAD "{\"type\": \"mass\", \"name\": \"Other\", \"mass\": 1, \"position\": [4, 1]},"
+                            "{\"type\": \"mass\", \"name\": \"Third\", \"mass\": 3, \"position\": [5, 1]},"
+                            "{\"type\": \"law-field\", \"name\": \"Law\", \"force_x\": \"-a*x\", \"a\": \"7 N/m\"}]}");
+    g_autoptr(TestProgram) program = cli_run_well(fixture, "equations @scene.json --as json");
+    cJSON *root = cJSON_Parse(program->output);
+    int found = 0;
+    const cJSON *symbol;
+    cJSON_ArrayForEach(symbol, cJSON_GetObjectItem(root, "symbols"))
+    {
+        const cJSON *property = cJSON_GetObjectItem(symbol, "property");
+        found += cJSON_IsString(property) && strcmp(property->valuestring, "a") == 0;
+    }
+    g_assert_cmpint(found, ==, 1);
+    cJSON_Delete(root);
+    g_autoptr(TestProgram) page = cli_run_well(fixture, "equations @scene.json");
+    cli_assert_holds(page->output, "F₁x = −a x₁");
+    cli_assert_holds(page->output, "F₂x = −a x₂");
+    cli_assert_holds(page->output, "F₃x = −a x₃");
+}
+
+/* Two numbers of the energy of a run: how much the potential energy has grown, and what a book was given. */
+static void energies(CliFixture *fixture, const char *law, const char *book, double *grown, double *given)
+{
+    g_autofree char *text = g_strconcat(HEAD WALL "{\"type\": \"mass\", \"name\": \"Load\", \"mass\": 2, \"position\": "
+                                                  "[1.5, 0.3], \"velocity\": [0.3, 0.4]},",
+                                        law, "}]}", NULL);
+    g_autofree char *scene = cli_write(fixture, "scene.json", text);
+    g_autoptr(TestProgram) program = cli_run_well(fixture, "run @scene.json --json -");
+    cJSON *root = cJSON_Parse(program->output);
+    const cJSON *energy = cJSON_GetObjectItem(root, "energy"), *potential = cJSON_GetObjectItem(energy, "potential");
+    const cJSON *entry = cJSON_GetObjectItem(energy, book);
+    g_assert_true(potential != NULL && entry != NULL);
+    *grown = cJSON_GetObjectItem(potential, "end")->valuedouble - cJSON_GetObjectItem(potential, "start")->valuedouble;
+    *given = entry->valuedouble;
+    cJSON_Delete(root);
+}
+
+/* A law is booked as the block that does the same, whichever way it is said. */
+static void test_booked_as_what_it_is(CliFixture *fixture, gconstpointer data)
+{
+#define SPRING                                                                                                         \
+    "{\"type\": \"spring\", \"name\": \"S\", \"ends\": [\"Wall\", \"Load\"], \"stiffness\": 18, "                      \
+    "\"rest_length\": 1"
+#define DAMPER "}, {\"type\": \"damper\", \"name\": \"D\", \"ends\": [\"Wall\", \"Load\"], \"damping\": 0.5"
+#define FORCE  "{\"type\": \"law-force\", \"name\": \"Law\", \"ends\": [\"Load\"], "
+    static const struct {
+        const char *typed, *known, *book;
+    } pairs[] = {
+        {LAW "\"tension\": \"18*(L - 1)\"", SPRING, "dampers"},
+        {LAW "\"potential\": \"9*(L - 1)^2\"", SPRING, "dampers"},
+        {LAW "\"tension\": \"18*(L - 1) + 0.5*rate\"", SPRING DAMPER, "dampers"},
+        {FORCE "\"force_x\": \"-5*x\", \"force_y\": \"-5*y\"", FORCE "\"potential\": \"5*(x^2 + y^2)/2\"", "motors"},
+        {FORCE "\"force_x\": \"-x/(x^2 + y^2)^1.5\", \"force_y\": \"-y/(x^2 + y^2)^1.5\"",
+         FORCE "\"potential\": \"-1/sqrt(x^2 + y^2)\"", "motors"},
+    };
+    for (gsize i = 0; i < G_N_ELEMENTS(pairs); i++) {
+        double grown[2], given[2];
+        energies(fixture, pairs[i].typed, pairs[i].book, &grown[0], &given[0]);
+        energies(fixture, pairs[i].known, pairs[i].book, &grown[1], &given[1]);
+        g_assert_cmpfloat(fabs(grown[1]), >, 0.01);
+        g_assert_cmpfloat_with_epsilon(grown[0], grown[1], 1e-9);
+        g_assert_cmpfloat_with_epsilon(given[0], given[1], 1e-9);
+    }
+}
+
+/* 2 v' = -c v for a second takes 1/2 m v0^2 (1 - e^(-c)), which dampers have, not motors. */
+static void test_drag_is_taken(CliFixture *fixture, gconstpointer data)
+{
+    static const char *const books[] = {"dampers", "motors"};
+    const double taken = 0.25 * (1 - exp(-0.6));
+    for (int k = 0; k < 2; k++) {
+        double grown, given;
+        energies(fixture, FORCE "\"force_x\": \"-a*vx\", \"force_y\": \"-a*vy\", \"a\": 0.6", books[k], &grown, &given);
+        g_assert_cmpfloat_with_epsilon(given, k == 0 ? -taken : 0, 1e-9);
+        g_assert_cmpfloat(grown, ==, 0);
+    }
+    /* what changes in time gives: with F = 2 + t, v = 0.3 + t + t^2/4, and the integral of F v is 37/16 J */
+    double grown, given;
+    energies(fixture, FORCE "\"force_x\": \"2 + t\"", "motors", &grown, &given);
+    g_assert_cmpfloat_with_epsilon(given, 37.0 / 16, 1e-9);
+}
+
 int main(int argc, char **argv)
 {
     g_test_init(&argc, &argv, NULL);
@@ -109,5 +239,10 @@ int main(int argc, char **argv)
     cli_test_add("/cli/typed-laws/kept", test_kept);
     cli_test_add("/cli/typed-laws/units", test_units);
     cli_test_add("/cli/typed-laws/equations", test_equations);
+    cli_test_add("/cli/typed-laws/as-in-books", test_as_in_books);
+    cli_test_add("/cli/typed-laws/one-symbol", test_one_symbol);
+    cli_test_add("/cli/typed-laws/booked-as-what-it-is", test_booked_as_what_it_is);
+    cli_test_add("/cli/typed-laws/drag-is-taken", test_drag_is_taken);
+    cli_test_add("/cli/typed-laws/units-are-kept", test_units_are_kept);
     return g_test_run();
 }

@@ -2,6 +2,7 @@
 #include "author.h"
 
 #include <glib/gstdio.h>
+#include <string.h>
 #include <unistd.h>
 
 #include "program.h"
@@ -54,6 +55,14 @@ void test_author_run(const char *folder, const char *data_home, const char *cons
     g_assert_cmpstr(message, ==, "");
     if (!g_spawn_check_wait_status(wait_status, NULL)) g_test_message("%s", output);
     g_assert_true(g_spawn_check_wait_status(wait_status, NULL));
+}
+
+void test_author_states_laws(const char *library)
+{
+    const char *check[] = {"plugins", "check", library, NULL};
+    g_autoptr(TestProgram) program = test_program_run(check);
+    if (program->status != 0 || strstr(program->output, "it states no law") != NULL)
+        g_error("%s: %s%s", library, program->output, program->error);
 }
 
 void test_remove_all(const char *path)

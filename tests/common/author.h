@@ -13,6 +13,9 @@ char *test_author_folder(void);
  * a .ninja_deps for that of the build it sets up. */
 void test_author_run(const char *folder, const char *data_home, const char *const *arguments);
 
+/* Holds a library to the rules of the contract, and to stating the law of each of its blocks that has one. */
+void test_author_states_laws(const char *library);
+
 /* Removes a file, or a folder with all that is in it. */
 void test_remove_all(const char *path);
 

@@ -174,11 +174,17 @@ static int32_t hit(const TinkerInstance *instance, double x, double y, double re
 #define DESCRIPTION "How strong it is"
 #endif
 
+#if defined(PLANT_same_symbol)
+#define REST_SYMBOL "k"
+#else
+#define REST_SYMBOL "L0"
+#endif
+
 const TinkerPropertyType planted_pull_properties[] = {
     {TINKER_REAL_PROPERTY("stiffness", "Stiffness", "Pull", TINKER_DIMENSION_STIFFNESS), TINKER_NOT_NEGATIVE(0, 20),
      .default_value = {5}, .symbol = "k", .description = DESCRIPTION},
     {TINKER_REAL_PROPERTY("rest_length", "Length", "Pull", TINKER_DIMENSION_LENGTH), TINKER_POSITIVE(0, 0.5, 3),
-     .default_value = {1}, .symbol = "L0", .description = "Where it rests"},
+     .default_value = {1}, .symbol = REST_SYMBOL, .description = "Where it rests"},
     {TINKER_REAL_PROPERTY("damping", "Damping", "Pull", TINKER_DIMENSION_DAMPING), TINKER_NOT_NEGATIVE(0, 2),
      .default_value = {1}, .symbol = "c", .description = "How it resists"},
 };

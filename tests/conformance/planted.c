@@ -36,11 +36,6 @@ __attribute__((constructor)) static void change_locale(void)
 }
 #endif
 
-#if defined(PLANT_unknown_symbol)
-#define PULL_FORMULA "T = D (L - L0) + c dL/dt"
-#else
-#define PULL_FORMULA "T = k (L - L0) + c dL/dt"
-#endif
 #if defined(PLANT_type_id)
 #define FOLLOW_ID "Planted Follow"
 #else
@@ -65,8 +60,8 @@ __attribute__((constructor)) static void change_locale(void)
 
 #define ANY (TINKER_ACCEPTS_BODY | TINKER_ACCEPTS_SUPPORT)
 static const TinkerBlockType blocks[] = {
-    {TINKER_BLOCK("planted-pull", "Pull", TINKER_CONNECTOR), .summary = "Pulls", .formula = PULL_FORMULA,
-     .least_ends = 2, .most_ends = 2, .end_accepts = ANY, .properties = TINKER_SPAN(planted_pull_properties),
+    {TINKER_BLOCK("planted-pull", "Pull", TINKER_CONNECTOR), .summary = "Pulls", .least_ends = 2, .most_ends = 2,
+     .end_accepts = ANY, .properties = TINKER_SPAN(planted_pull_properties),
      .quantities = TINKER_SPAN(planted_quantities), .interfaces = TINKER_SPAN(planted_pull_interfaces),
      .law = PULL_LAW_SPAN},
     {TINKER_BLOCK("planted-pair", "Pair", TINKER_CONNECTOR), .summary = "Pulls two together", .least_ends = 2,
@@ -80,7 +75,7 @@ static const TinkerBlockType blocks[] = {
      .interfaces = TINKER_SPAN(planted_follow_interfaces)},
     {TINKER_BLOCK("planted-gather", "Gather", TINKER_FIELD), .summary = "Draws all together",
      .properties = TINKER_SPAN(planted_gather_properties), .interfaces = TINKER_SPAN(planted_gather_interfaces)},
-    {TINKER_BLOCK("planted-ball", "Ball", TINKER_CONNECTABLE), .summary = "A point with a mass", .formula = "m a = F",
+    {TINKER_BLOCK("planted-ball", "Ball", TINKER_CONNECTABLE), .summary = "A point with a mass",
      .properties = TINKER_SPAN(planted_ball_properties), .interfaces = TINKER_SPAN(planted_ball_interfaces)},
     {TINKER_BLOCK("planted-keep", "Keep", TINKER_CONNECTOR), .summary = "Keeps a distance", .least_ends = 2,
      .most_ends = 2, .end_accepts = ANY, .properties = TINKER_SPAN(planted_keep_properties),

@@ -45,8 +45,7 @@ static const struct {
 } plants[] = {
     {"exports", "symbols", "", "it exports \"another_symbol\""},
     {"undescribed", "declaration", NULL, "property \"stiffness\" has no description"},
-    {"unknown_symbol", "declaration", "planted-pull",
-     "speaks of \"D\", which is the symbol of no property (\"k\", \"L0\", \"c\")"},
+    {"same_symbol", "declaration", NULL, "properties \"stiffness\" and \"rest_length\" both have the symbol \"k\""},
     {"type_id", "declaration", "Planted Follow", "its id \"Planted Follow\" is not of small letters"},
     {"property_id", "declaration", "planted-follow", "a property's id \"thr ust\" is not of small letters"},
     {"plugin_id", "declaration", "", "the plugin's id is \"planted\"; a reversed domain was expected"},

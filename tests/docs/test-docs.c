@@ -185,6 +185,12 @@ static void test_example_runs(void)
     check_constant_force(g_getenv("TINKER_DOCS_PLUGINS"));
 }
 
+static void test_example_states_its_law(void)
+{
+    g_autofree char *library = g_build_filename(g_getenv("TINKER_DOCS_PLUGINS"), "tinker-constant-force.so", NULL);
+    test_author_states_laws(library);
+}
+
 static void test_example_is_drawn(void)
 {
     g_autoptr(GError) error = NULL;
@@ -390,6 +396,7 @@ int main(int argc, char **argv)
     g_test_add_func("/docs/tutorial/mechanism", test_mechanism_tutorial);
     g_test_add_func("/docs/tutorial/window-damped", test_window_tutorial_damped);
     g_test_add_func("/docs/example/runs", test_example_runs);
+    g_test_add_func("/docs/example/states-its-law", test_example_states_its_law);
     g_test_add_func("/docs/example/is-drawn", test_example_is_drawn);
     g_test_add_func("/docs/example/makefile-builds", test_makefile_builds);
     g_test_add_func("/docs/integrator/builds", test_integrator_builds);

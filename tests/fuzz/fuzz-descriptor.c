@@ -326,7 +326,6 @@ static TinkerSpan blocks(Maker *maker)
             .title = text(maker, "Block"),
             .category = text(maker, TINKER_CONNECTABLE),
             .summary = text(maker, NULL),
-            .formula = text(maker, NULL),
             .icon_path = text(maker, NULL),
             .help_link = text(maker, NULL),
             .least_ends = whole(maker, 0),

@@ -1,6 +1,7 @@
 /* What a student types into the property list: numbers with their units, names, for one block, for several and for the
  * scene; and what is refused. */
 #include <math.h>
+#include <string.h>
 
 #include "panel-fixture.h"
 
@@ -100,6 +101,27 @@ static void test_refused(void)
     panel_select_nothing(fixture);
     panel_assert_refused(fixture, "Run", "Duration", "0", PARTS("Duration", "greater than 0 s"));
     panel_assert_refused(fixture, "Canvas", "Grid", "-1 ft", PARTS("greater than 0"));
+}
+
+/* A number that a typed law names stays as it was typed, whatever its unit. */
+static void test_numbers_of_laws(void)
+{
+    static const char *const texts[] = {"1 ft", "3 kg/m", "2 lbf/ft", "1e3", "3.0"};
+    g_autoptr(GuiFixture) fixture = gui_fixture_new(
+        ONE_MASS ",{'type': 'law-force', 'name': 'Law', 'ends': ['Mass 0'], 'force_x': '-a*x', 'a': '5 N/m'}");
+    panel_select(fixture, "Law");
+    for (gsize i = 0; i < G_N_ELEMENTS(texts); i++) {
+        g_autofree char *before = gui_fixture_text(fixture), *member = g_strdup_printf("\"a\": \"%s\"", texts[i]);
+        panel_type(fixture, "Numbers", "a", texts[i]);
+        panel_assert_shown(fixture, "Numbers", "a", texts[i]);
+        g_autofree char *after = gui_fixture_text(fixture);
+        if (strstr(after, member) == NULL) g_error("%s is not in %s", member, after);
+        tinker_document_undo(fixture->document);
+        g_autofree char *undone = gui_fixture_text(fixture);
+        g_assert_cmpstr(undone, ==, before);
+        tinker_document_redo(fixture->document);
+        panel_assert_shown(fixture, "Numbers", "a", texts[i]);
+    }
 }
 
 static void test_name(void)
@@ -259,6 +281,7 @@ static void add_tests(void)
     g_test_add_func("/gui/property-list/formula", test_formula);
     g_test_add_func("/gui/property-list/unchanged", test_unchanged);
     g_test_add_func("/gui/property-list/refused", test_refused);
+    g_test_add_func("/gui/property-list/numbers-of-laws", test_numbers_of_laws);
     g_test_add_func("/gui/property-list/name", test_name);
     g_test_add_func("/gui/property-list/any-text", test_any_text);
     g_test_add_func("/gui/property-list/several", test_several);

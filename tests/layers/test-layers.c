@@ -40,7 +40,7 @@ static const Layer layers[] = {
      {"tinker/", "glib", "gmodule", "cairo", "cjson/"}},
     {"host/cli",
      {"cli", "common", "equations", "measure", "conformance", "analysis", "physics", "numerics", "render", "edit",
-      "scene", "plugin", "files", "units"},
+      "law", "scene", "plugin", "files", "units"},
      {"tinker/", "glib", "gmodule", "gio/", "cairo", "pango/", "cjson/"}},
     {"host/gui",
      {"gui", "common", "equations", "measure", "analysis", "physics", "numerics", "render", "edit", "law", "scene",

@@ -70,7 +70,6 @@ static const TinkerBlockType blocks[] = {{
     .title = "Pull",
     .category = TINKER_CONNECTOR,
     .summary = "Pulls.",
-    .formula = "T = k (L - L0)",
     .least_ends = 2,
     .most_ends = 2,
     .end_accepts = TINKER_ACCEPTS_BODY | TINKER_ACCEPTS_SUPPORT,

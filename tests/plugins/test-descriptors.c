@@ -169,7 +169,6 @@ static void test_plugin(gconstpointer data)
     const TinkerBlockType *block = block_open(data);
     g_assert_cmpstr(block->id, ==, data);
     g_assert_cmpuint(block->struct_size, ==, sizeof(TinkerBlockType));
-    g_assert_true((block->formula != NULL) == (block_interface(block, TINKER_PHYSICS_INTERFACE) != NULL));
     g_assert_nonnull(block->summary);
 }
 

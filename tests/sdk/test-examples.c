@@ -25,8 +25,7 @@ static void test_builds_and_holds(gconstpointer name)
     test_author_run(folder, NULL, compile);
     test_author_run(folder, NULL, test);
     g_autofree char *file = g_strdup_printf("%s/tinker-%s.so", build, (const char *)name);
-    const char *check[] = {g_getenv("TINKER_PROGRAM"), "plugins", "check", file, NULL};
-    test_author_run(folder, NULL, check);
+    test_author_states_laws(file);
     test_remove_all(folder);
 }
 

@@ -1,7 +1,6 @@
 /* declaration: what a person reads and writes, beyond what the host insists on when it opens the library. */
 #include <string.h>
 
-#include "conformance/probe/formula.h"
 #include "conformance/probe/kit.h"
 
 static gboolean is_missing(const char *text)
@@ -40,44 +39,16 @@ static void look_at_titles(KitCheck *check)
     }
 }
 
-/* A formula speaks of what can be set; a symbol that is no part of it may belong to the drawing or to contacts. One
- * that is declared twice means two things. */
-static void look_at_formula(KitCheck *check)
+/* In a law, and in the equations of a scene, one that is declared twice would mean two things. */
+static void look_at_symbols(KitCheck *check)
 {
     const TinkerBlockClass *c = check->block_class;
-    gboolean any = FALSE;
-    int32_t with_symbol = 0;
-    for (int32_t i = 0; i < c->property_count; i++) {
-        const char *symbol = c->properties[i].symbol;
-        if (is_missing(symbol)) continue;
-        with_symbol++;
-        any = any || (c->type->formula != NULL && kit_formula_has_word(c->type->formula, symbol));
+    for (int32_t i = 0; i < c->property_count; i++)
         for (int32_t k = 0; k < i; k++)
-            if (g_strcmp0(symbol, c->properties[k].symbol) == 0)
+            if (!is_missing(c->properties[i].symbol) &&
+                g_strcmp0(c->properties[i].symbol, c->properties[k].symbol) == 0)
                 kit_fail(check, "properties \"%s\" and \"%s\" both have the symbol \"%s\"", c->properties[k].id,
-                         c->properties[i].id, symbol);
-    }
-    if (c->type->formula != NULL && with_symbol > 0 && !any)
-        kit_fail(check, "no symbol of a property appears in the formula \"%s\"", c->type->formula);
-}
-
-/* What the formula speaks of and nobody declares is a symbol that was renamed, or a typing error. */
-static void look_at_words(KitCheck *check)
-{
-    const TinkerBlockClass *c = check->block_class;
-    g_autoptr(GPtrArray) symbols = g_ptr_array_new();
-    g_autoptr(GString) names = g_string_new(NULL);
-    for (int32_t i = 0; i < c->property_count; i++) {
-        if (is_missing(c->properties[i].symbol)) continue;
-        g_ptr_array_add(symbols, (gpointer)c->properties[i].symbol);
-        g_string_append_printf(names, "%s\"%s\"", names->len > 0 ? ", " : "", c->properties[i].symbol);
-    }
-    g_ptr_array_add(symbols, NULL);
-    if (c->type->formula == NULL) return;
-    g_autofree char *unknown = kit_formula_unknown(c->type->formula, (const char *const *)symbols->pdata);
-    if (unknown != NULL)
-        kit_fail(check, "the formula \"%s\" speaks of \"%s\", which is the symbol of no property (%s)",
-                 c->type->formula, unknown, names->len > 0 ? names->str : "none has one");
+                         c->properties[i].id, c->properties[i].symbol);
 }
 
 /* Ids -------------------------------------------------------------------------------------------------------------- */
@@ -141,6 +112,5 @@ void kit_try_declaration(KitCheck *check)
     for (int32_t i = 0; i < c->property_count; i++)
         look_at_property(check, &c->properties[i]);
     look_at_titles(check);
-    look_at_formula(check);
-    look_at_words(check);
+    look_at_symbols(check);
 }

@@ -331,6 +331,49 @@ static void compare_state(KitCheck *check, const KitFunction *function, const Ki
         compare_body(check, law, function, state, answer, b);
 }
 
+/* What an instance gives to its ends at the instant of the state. */
+static void compare_blow(KitCheck *check, const TinkerBlockLaw *law, const KitFunction *blow, const KitState *state,
+                         const KitAnswer *answer, int32_t instance)
+{
+    static const char *const names[] = {"impulse_x", "impulse_y", "angular_impulse"};
+    const int32_t first = state->offsets[instance], ends = state->offsets[instance + 1] - first;
+    const Place place = {.law = law, .state = state, .instance = instance};
+    for (int32_t k = 0; k < 3 * ends && !kit_decided(check); k++) {
+        const int32_t component = k % 3, output = component / 2, end = k / 3;
+        if (output >= blow->output_count) continue;
+        g_autofree char *digits = ends > 1 ? g_strdup_printf("%d", end + 1) : g_strdup("");
+        g_autofree char *name = g_strconcat(names[component], digits, NULL);
+        const TinkerExpression *is = tinker_block_law_find(law, name);
+        const gsize entry = (gsize)(first + end), width = (gsize)blow->outputs[output].width;
+        const double given = answer->values[output][entry * width + (gsize)(component % 2)];
+        if (is == NULL) {
+            kit_fail(check, "its law says nothing of \"%s\"", name);
+            return;
+        }
+        double lost = 0;
+        const double expected = worked_out(&place, is, &lost);
+        expect_near(check, &blow->outputs[output], state, entry, given, expected, lost);
+    }
+}
+
+/* At the instant of the first blow, those that strike then. */
+static void try_blows(KitCheck *check, const KitFunction *next, const KitFunction *blow)
+{
+    const int32_t instant = check->block_class->meanings[TINKER_MEANING_INSTANT];
+    g_autoptr(KitState) state = kit_state_new(check, KIT_COUNT);
+    if (state == NULL) return;
+    state->time = -1;
+    g_autoptr(KitAnswer) when = kit_call_well(check, next, state);
+    if (when == NULL || !isfinite(when->values[0][0])) return;
+    state->time = when->values[0][0];
+    g_autoptr(KitAnswer) answer = kit_call_well(check, blow, state);
+    for (int32_t i = 0; answer != NULL && i < state->count && !kit_decided(check); i++) {
+        if (instant < 0 || state->columns[check->block_class->first_columns[instant]][i] != state->time) continue;
+        g_autoptr(TinkerBlockLaw) law = law_of(check, state, i);
+        if (law != NULL) compare_blow(check, law, blow, state, answer, i);
+    }
+}
+
 void kit_try_law(KitCheck *check)
 {
     static const char *const asked[] = {"tension", "force", "force", "rows_at", "motion"};
@@ -342,7 +385,10 @@ void kit_try_law(KitCheck *check)
     if (kit_decided(check)) return;
     const KitFunction *function = kit_function(functions, asked[role]);
     if (function == NULL) function = kit_function(functions, "rotation");
+    const KitFunction *next = kit_function(functions, "next_blow"), *blow = kit_function(functions, "blow");
     for (int round = 0; round < ROUNDS && !kit_decided(check); round++) {
+        if (next != NULL && blow != NULL) try_blows(check, next, blow);
+        if (kit_decided(check)) return;
         g_autoptr(KitState) state = kit_state_new(check, KIT_COUNT);
         if (state == NULL) return;
         compare_state(check, function, state);

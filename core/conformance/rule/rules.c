@@ -7,8 +7,7 @@ static void try_descriptor(KitCheck *check) {} // opening the library has made a
 static const KitRule rules[] = {
     {{"descriptor", "The library opens and its descriptor passes all checks of the host"}, try_descriptor, NULL, NULL},
     {{"symbols", "It exports its entry alone and links to nothing of Tinker's"}, kit_try_symbols, NULL, NULL},
-    {{"declaration",
-      "Texts are there, titles differ, ids are plain, ranges hold one another, symbols of the formula are declared"},
+    {{"declaration", "Texts are there, titles differ, symbols differ, ids are plain, ranges hold one another"},
      kit_try_library_declaration,
      kit_try_declaration,
      kit_try_method_declaration},

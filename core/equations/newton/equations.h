@@ -153,6 +153,9 @@ void tinker_equations_look(const char *symbol, TinkerSymbolLook *look, void *equ
 const TinkerEquationDefinition *tinker_equations_definition(const TinkerEquations *equations, const char *name);
 const TinkerEquationSymbol *tinker_equations_symbol(const TinkerEquations *equations, const char *name);
 
+/* The text of a number that a typed law names, with its unit as it was typed; NULL: the symbol is none. Borrowed. */
+const char *tinker_equations_typed_text(const TinkerEquations *equations, const TinkerEquationSymbol *symbol);
+
 /* Whether numbers alone are known of a symbol, as of what a table moves. */
 gboolean tinker_equations_is_not_written(const TinkerEquations *equations, const char *symbol);
 

@@ -11,11 +11,11 @@ static const TinkerPointSymbols *point_at(const GArray *points, guint number)
 
 /* Force elements --------------------------------------------------------------------------------------------------- */
 
-/* The derivative of an expression by the place of a body: by its x, its y or its angle. */
-static TinkerExpression *by_place(TinkerEquationWriter *writer, const TinkerExpression *expression,
-                                  const TinkerExpression *place)
+/* Minus the slope of a potential by the place of a body: by its x, its y or its angle. */
+static TinkerExpression *force_along(TinkerEquationWriter *writer, const TinkerExpression *potential,
+                                     const TinkerExpression *place)
 {
-    return place->kind == TINKER_EXPRESSION_SYMBOL ? tinker_writer_derivative(writer, expression, place->name)
+    return place->kind == TINKER_EXPRESSION_SYMBOL ? tinker_writer_slope(writer, potential, place->name, -1)
                                                    : tinker_expression_number(0);
 }
 
@@ -61,9 +61,9 @@ gboolean tinker_writer_add_force(TinkerEquationWriter *writer, TinkerBlockId blo
                 const char *name = tinker_writer_name(writer, block, "V", 0, NULL);
                 potential = tinker_writer_define(writer, name, block, energy, TINKER_STORED_ENERGY, is, law->typed);
             }
-            x = tinker_expression_negated(by_place(writer, potential, point->x));
-            y = tinker_expression_negated(by_place(writer, potential, point->y));
-            torque = tinker_expression_negated(by_place(writer, potential, point->angle));
+            x = force_along(writer, potential, point->x);
+            y = force_along(writer, potential, point->y);
+            torque = force_along(writer, potential, point->angle);
         }
         x = as_typed(writer, block, law, NULL, "x", x);
         y = as_typed(writer, block, law, NULL, "y", y);
@@ -141,9 +141,8 @@ gboolean tinker_writer_add_field(TinkerEquationWriter *writer, TinkerBlockId blo
             by_potential ? tinker_law_use_equation(writer, &use, "potential") : NULL;
         for (int axis = 0; axis < 2; axis++) {
             const TinkerExpression *place = g_hash_table_lookup(use.meanings, components[axis]);
-            parts[axis] = by_potential
-                              ? tinker_expression_negated(tinker_writer_derivative(writer, potential, place->name))
-                              : tinker_law_use_equation(writer, &use, equations[axis]);
+            parts[axis] = by_potential ? force_along(writer, potential, place)
+                                       : tinker_law_use_equation(writer, &use, equations[axis]);
             parts[axis] = as_typed(writer, block, law, use.index, components[axis], parts[axis]);
         }
         const TinkerPointSymbols centre = {.block = body->block};

@@ -73,8 +73,7 @@ gboolean tinker_writer_add_line(TinkerEquationWriter *writer, TinkerBlockId bloc
     tinker_law_use_set(&use, "L", length);
     if (rate != NULL) tinker_law_use_set(&use, "rate", rate);
     g_autoptr(TinkerExpression) stated = tinker_law_use_equation(writer, &use, by_potential ? "potential" : "tension");
-    g_autoptr(TinkerExpression) is =
-        by_potential ? tinker_writer_derivative(writer, stated, length->name) : copy(stated);
+    g_autoptr(TinkerExpression) is = by_potential ? tinker_writer_slope(writer, stated, length->name, 1) : copy(stated);
     tinker_law_use_clear(&use);
     if (tinker_expression_is_number(is, 0)) {
         tinker_writer_drop_definitions(writer, definitions);

@@ -22,6 +22,17 @@ const TinkerEquationSymbol *tinker_equations_symbol(const TinkerEquations *equat
     return NULL;
 }
 
+const char *tinker_equations_typed_text(const TinkerEquations *equations, const TinkerEquationSymbol *symbol)
+{
+    const TinkerBlockClass *block_class =
+        symbol->block >= 0 ? tinker_scene_block_class(equations->scene, symbol->block) : NULL;
+    const int32_t property = block_class != NULL && symbol->property != NULL
+                                 ? tinker_block_class_property(block_class, symbol->property)
+                                 : -1;
+    if (property < 0 || (block_class->properties[property].flags & TINKER_TEXT_QUANTITY) == 0) return NULL;
+    return tinker_scene_get_text(equations->scene, symbol->block, property);
+}
+
 gboolean tinker_equations_is_not_written(const TinkerEquations *equations, const char *symbol)
 {
     for (guint i = 0; i < equations->not_written->len; i++) {

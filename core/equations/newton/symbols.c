@@ -5,6 +5,7 @@
 #include "equations/newton/writer.h"
 #include "law/derivative.h"
 #include "law/reduce.h"
+#include "law/simplify.h"
 #include "law/value.h"
 
 #include <tinker/kernels.h>
@@ -24,6 +25,16 @@ TinkerExpression *tinker_writer_symbol(TinkerEquationWriter *writer, const char 
     return tinker_expression_symbol(name);
 }
 
+/* The symbol that a property has already; NULL. (transfer full) */
+static TinkerExpression *known_property(const TinkerEquationWriter *writer, TinkerBlockId block, const char *key)
+{
+    for (guint i = 0; i < writer->equations->symbols->len; i++) {
+        const TinkerEquationSymbol *known = g_ptr_array_index(writer->equations->symbols, i);
+        if (known->block == block && g_strcmp0(known->property, key) == 0) return tinker_expression_symbol(known->name);
+    }
+    return NULL;
+}
+
 /* What a property's column stands for: a symbol of this stem, the same for each call; 0 where its value is 0. (transfer
  * full) */
 static TinkerExpression *property_symbol(TinkerEquationWriter *writer, TinkerBlockId block, int32_t property,
@@ -35,10 +46,8 @@ static TinkerExpression *property_symbol(TinkerEquationWriter *writer, TinkerBlo
     if (value == 0) return tinker_expression_number(0);
     const gboolean vector = type->kind == TINKER_KIND_VECTOR;
     g_autofree char *key = vector ? g_strconcat(type->id, component == 0 ? " x" : " y", NULL) : g_strdup(type->id);
-    for (guint i = 0; i < writer->equations->symbols->len; i++) {
-        const TinkerEquationSymbol *known = g_ptr_array_index(writer->equations->symbols, i);
-        if (known->block == block && g_strcmp0(known->property, key) == 0) return tinker_expression_symbol(known->name);
-    }
+    TinkerExpression *known = known_property(writer, block, key);
+    if (known != NULL) return known;
     const char *name = tinker_writer_name(writer, block, stem, 0, NULL);
     return tinker_writer_symbol(writer, name, block, value, type->dimension, key, NULL);
 }
@@ -161,6 +170,21 @@ TinkerExpression *tinker_writer_derivative(TinkerEquationWriter *writer, const T
     return tinker_expression_reduced(raw);
 }
 
+TinkerExpression *tinker_writer_slope(TinkerEquationWriter *writer, const TinkerExpression *potential,
+                                      const char *symbol, int sign)
+{
+    g_autoptr(TinkerExpression) slope = tinker_writer_derivative(writer, potential, symbol);
+    g_autoptr(TinkerExpression) raw =
+        sign < 0 ? tinker_expression_negated(g_steal_pointer(&slope)) : g_steal_pointer(&slope);
+    TinkerExpression *simple = tinker_expression_simplified(raw);
+    /* powers that stand apart may be beyond what a number can be where their quotient is not */
+    const gboolean lost = !isfinite(tinker_equations_value(writer->equations, simple)) &&
+                          isfinite(tinker_equations_value(writer->equations, raw));
+    if (!lost) return simple;
+    tinker_expression_unref(simple);
+    return g_steal_pointer(&raw);
+}
+
 TinkerExpression *tinker_writer_rate(TinkerEquationWriter *writer, const TinkerExpression *expression)
 {
     return tinker_writer_derivative(writer, expression, NULL);
@@ -261,10 +285,12 @@ static TinkerExpression *waveform(TinkerEquationWriter *writer, const TinkerLawU
                                 kind == TINKER_WAVEFORM_EXPRESSION);
 }
 
-/* A number of a typed law. */
+/* A number of a typed law, the same symbol on every body that a field acts on. */
 static TinkerExpression *typed_number(const Use *use, const TinkerLawSymbol *symbol)
 {
     const TinkerBlockId block = use->use->block;
+    TinkerExpression *known = known_property(use->writer, block, symbol->name);
+    if (known != NULL) return known;
     const char *name = tinker_writer_name(use->writer, block, symbol->name, 0, NULL);
     return tinker_writer_symbol(use->writer, name, block, symbol->number, symbol->dimension, symbol->name, NULL);
 }

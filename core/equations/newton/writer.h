@@ -117,6 +117,10 @@ TinkerExpression *tinker_writer_rate(TinkerEquationWriter *writer, const TinkerE
 TinkerExpression *tinker_writer_derivative(TinkerEquationWriter *writer, const TinkerExpression *expression,
                                            const char *symbol);
 
+/* The slope of a potential by a symbol, or minus that where `sign` is -1, as a textbook has it. (transfer full) */
+TinkerExpression *tinker_writer_slope(TinkerEquationWriter *writer, const TinkerExpression *potential,
+                                      const char *symbol, int sign);
+
 /* A law with the names of one block: definitions of its steps are added, and what `wanted` says is answered (transfer
  * full); NULL where the law does not say it. */
 typedef struct {

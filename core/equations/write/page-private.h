@@ -87,6 +87,9 @@ char *tinker_page_derivative(const TinkerPage *page, const char *name, int dots)
 char *tinker_page_quantity(const TinkerPage *page, double value, TinkerDimension dimension);
 /* Of what may be a torque or an energy: in N m or in J. */
 char *tinker_page_amount(const TinkerPage *page, double value, TinkerDimension dimension, gboolean energy);
+/* A number as it was typed with its unit, and where that is none of SI's own its value in SI as well. (transfer full)
+ */
+char *tinker_page_typed(const TinkerPage *page, const char *typed, double value, TinkerDimension dimension);
 
 /* What stands behind a symbol, in the words of the locale. Borrowed. */
 const char *tinker_page_words(const char *english);

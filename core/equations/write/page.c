@@ -300,14 +300,19 @@ static char *unit_in_print(const TinkerPage *page, const char *unit)
     return g_string_free(text, FALSE);
 }
 
+/* (transfer full) */
+static char *join_unit(const TinkerPage *page, const char *digits, const char *unit)
+{
+    if (page->format == TINKER_TYPESET_LATEX) return g_strdup_printf("%s\\,\\text{%s}", digits, unit);
+    if (page->format == TINKER_TYPESET_MATHML) return g_strdup_printf("%s<mtext>&#xa0;%s</mtext>", digits, unit);
+    return g_strdup_printf("%s %s", digits, unit);
+}
+
 static char *with_unit(const TinkerPage *page, double value, const char *unit)
 {
     g_autoptr(TinkerExpression) number = tinker_expression_number(value);
     g_autofree char *safe = unit_in_print(page, unit), *digits = tinker_page_expression(page, number);
-    if (unit[0] == '\0') return g_steal_pointer(&digits);
-    if (page->format == TINKER_TYPESET_LATEX) return g_strdup_printf("%s\\,\\text{%s}", digits, safe);
-    if (page->format == TINKER_TYPESET_MATHML) return g_strdup_printf("%s<mtext>&#xa0;%s</mtext>", digits, safe);
-    return g_strdup_printf("%s %s", digits, safe);
+    return unit[0] == '\0' ? g_steal_pointer(&digits) : join_unit(page, digits, safe);
 }
 
 char *tinker_page_quantity(const TinkerPage *page, double value, TinkerDimension dimension)
@@ -318,4 +323,36 @@ char *tinker_page_quantity(const TinkerPage *page, double value, TinkerDimension
 char *tinker_page_amount(const TinkerPage *page, double value, TinkerDimension dimension, gboolean energy)
 {
     return with_unit(page, value, tinker_equation_unit(dimension, energy));
+}
+
+/* A unit as it was typed, whatever stands in it. (transfer full) */
+static char *typed_unit(const TinkerPage *page, const char *typed)
+{
+    g_autofree char *safe = safe_text(page, typed);
+    if (page->format != TINKER_TYPESET_LATEX) {
+        g_strdelimit(safe, "*", ' ');
+        return unit_in_print(page, safe);
+    }
+    GString *text = g_string_new(safe);
+    g_string_replace(text, "\\^{}2", "$^2$", 0);
+    g_string_replace(text, "\\^{}3", "$^3$", 0);
+    g_string_replace(text, " ", "$\\cdot$", 0);
+    g_string_replace(text, "*", "$\\cdot$", 0);
+    return g_string_free(text, FALSE);
+}
+
+char *tinker_page_typed(const TinkerPage *page, const char *typed, double value, TinkerDimension dimension)
+{
+    g_autofree char *text = g_strstrip(g_strdup(typed));
+    char *unit = NULL;
+    TinkerUnit read;
+    const double number = g_ascii_strtod(text, &unit);
+    unit += strspn(unit, " ");
+    g_autofree char *si = tinker_page_quantity(page, value, dimension);
+    if (*unit == '\0' || !tinker_unit_parse(unit, &read, NULL)) return g_steal_pointer(&si);
+    g_autoptr(TinkerExpression) amount = tinker_expression_number(number);
+    g_autofree char *digits = tinker_page_expression(page, amount), *shown = typed_unit(page, unit);
+    g_autofree char *as_typed = join_unit(page, digits, shown);
+    if (read.factor == 1) return g_steal_pointer(&as_typed);
+    return g_strconcat(as_typed, page->format == TINKER_TYPESET_MATHML ? "<mo>=</mo>" : " = ", si, NULL);
 }

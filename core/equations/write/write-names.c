@@ -70,7 +70,9 @@ static void write_given(TinkerPage *page, GHashTable *needed)
         if (first) tinker_page_heading(page, C_("equations", "where"));
         first = FALSE;
         page->about = symbol->block;
-        char *value = value_of(page, symbol->name, symbol->dimension, FALSE);
+        const char *typed = tinker_equations_typed_text(equations, symbol);
+        char *value = typed != NULL ? tinker_page_typed(page, typed, symbol->value, symbol->dimension)
+                                    : value_of(page, symbol->name, symbol->dimension, FALSE);
         tinker_page_equation(page, tinker_page_symbol(page, symbol->name), value, meaning_of(equations, symbol));
     }
 }

@@ -146,6 +146,7 @@ static gboolean add_batch(TinkerModel *model, TinkerBlockBatch *batch, CompileWo
     if (physics->force_element != NULL) {
         note_end_masses(model, batch, points);
         model->has_book[physics->force_element->dissipates ? TINKER_BOOK_DAMPERS : TINKER_BOOK_MOTORS] = TRUE;
+        model->has_book[TINKER_BOOK_DAMPERS] |= batch->has_law_of_velocity;
         TinkerAskedBatch asked = {batch, points,
                                   tinker_compile_stores_energy(batch, physics->force_element->energy != NULL),
                                   tinker_model_angles(model, batch)};

@@ -158,4 +158,5 @@ void tinker_compile_asked_lines(TinkerModel *model, TinkerBlockBatch *batch, con
     g_array_append_val(model->asked_lines, asked);
     warn_asked_without_direction(model, batch, points, work);
     model->has_book[batch->waveforms > 0 ? TINKER_BOOK_MOTORS : TINKER_BOOK_DAMPERS] = TRUE;
+    model->has_book[TINKER_BOOK_MOTORS] |= batch->has_timed_law;
 }

@@ -89,6 +89,24 @@ TinkerStatus tinker_model_ask_element(TinkerModel *model, const TinkerBlockBatch
     return TINKER_OK;
 }
 
+TinkerStatus tinker_model_ask_element_at_rest(TinkerModel *model, const TinkerBlockBatch *batch, const int32_t *points,
+                                              int32_t first, int32_t count, const double **answer)
+{
+    const int32_t ends = batch->end_offsets[first + count] - batch->end_offsets[first];
+    TinkerPoint *gathered = (TinkerPoint *)(void *)model->chunk;
+    double *force = (double *)(void *)(gathered + ends);
+    for (int32_t e = 0; e < ends; e++)
+        gathered[e] = (TinkerPoint){.x = model->point[points[e]].x, .y = model->point[points[e]].y};
+    TinkerBatch view = tinker_model_view(model, batch, first, count, model->column_views);
+    const TinkerForceElement *element = batch->block_class->physics->force_element;
+    TinkerStatus status = TINKER_CALL_BATCH(batch, "force", &view, element->force(&view, gathered, force));
+    if (status != TINKER_OK) return tinker_model_refuse_forces(model, batch, &view, status, "force");
+    for (int32_t e = 0; e < 2 * ends; e++)
+        if (!isfinite(force[e])) force[e] = 0;
+    *answer = force;
+    return TINKER_OK;
+}
+
 /* Fields ----------------------------------------------------------------------------------------------------------- */
 
 TinkerStatus tinker_model_ask_field(TinkerModel *model, const TinkerBlockBatch *batch, int32_t first, int32_t count,

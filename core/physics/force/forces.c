@@ -15,26 +15,55 @@
 
 /* Lines whose plugin is asked -------------------------------------------------------------------------------------- */
 
+/* The tensions at rate 0. */
+static TinkerStatus ask_still(TinkerModel *model, const TinkerBlockBatch *batch, TinkerBatch *view,
+                              const TinkerLineChunk *chunk)
+{
+    const TinkerLineLaw *law = batch->block_class->physics->line_law;
+    const gsize size = sizeof(double) * (gsize)view->count;
+    double *zero = model->chunk + 6 * model->chunk_rows;
+    if (batch->law_count > 0 && !batch->has_law_of_velocity) {
+        memcpy(chunk->still, chunk->tension, size);
+        return TINKER_OK;
+    }
+    memset(zero, 0, size);
+    return TINKER_CALL_BATCH(batch, "tension", view, law->tension(view, chunk->length, zero, chunk->still));
+}
+
+/* Of lines that store nothing dampers take all; but what changes a typed law in time gives what the law does at rest.
+ */
+static TinkerStatus book_what_is_not_stored(TinkerModel *model, const TinkerBlockBatch *batch, TinkerBatch *view,
+                                            int32_t first, const TinkerLineChunk *chunk)
+{
+    const TinkerLineLaw *law = batch->block_class->physics->line_law;
+    double *stored = model->chunk + 6 * model->chunk_rows;
+    const gboolean typed = batch->law_count > 0;
+    const TinkerStatus status =
+        typed ? TINKER_OK : TINKER_CALL_BATCH(batch, "energy", view, law->energy(view, chunk->length, stored));
+    for (int32_t i = 0; i < view->count && status == TINKER_OK; i++) {
+        if (typed ? tinker_block_batch_stores(batch, first + i) : !isnan(stored[i])) continue;
+        if (tinker_block_batch_is_timed(batch, first + i) && isfinite(chunk->still[i]))
+            model->book_power[TINKER_BOOK_MOTORS] -= chunk->still[i] * chunk->rate[i];
+        else
+            chunk->still[i] = 0;
+    }
+    return status;
+}
+
 /* What dampers take: the part of the tension that is not there at rate 0. */
-static TinkerStatus take_line_power(TinkerModel *model, const TinkerAskedBatch *asked, TinkerBatch *view,
+static TinkerStatus take_line_power(TinkerModel *model, const TinkerAskedBatch *asked, TinkerBatch *view, int32_t first,
                                     const TinkerLineChunk *chunk)
 {
-    const TinkerLineLaw *law = asked->batch->block_class->physics->line_law;
-    memset(chunk->still, 0, sizeof(double) * (gsize)view->count);
+    const TinkerBlockBatch *batch = asked->batch;
     if (asked->stores_energy) {
-        double *zero = model->chunk + 6 * model->chunk_rows;
-        memset(zero, 0, sizeof(double) * (gsize)view->count);
-        TinkerStatus status =
-            TINKER_CALL_BATCH(asked->batch, "tension", view, law->tension(view, chunk->length, zero, chunk->still));
+        TinkerStatus status = ask_still(model, batch, view, chunk);
+        if (status == TINKER_OK && batch->block_class->physics->line_law->partly_stores != 0)
+            status = book_what_is_not_stored(model, batch, view, first, chunk);
         if (status != TINKER_OK) return status;
-        /* of what stores nothing, all is taken */
-        if (law->partly_stores != 0)
-            status = TINKER_CALL_BATCH(asked->batch, "energy", view, law->energy(view, chunk->length, zero));
-        for (int32_t i = 0; law->partly_stores != 0 && i < view->count; i++)
-            if (isnan(zero[i])) chunk->still[i] = 0;
-        if (status != TINKER_OK) return status;
+    } else {
+        memset(chunk->still, 0, sizeof(double) * (gsize)view->count);
     }
-    TinkerBook book = asked->batch->waveforms > 0 ? TINKER_BOOK_MOTORS : TINKER_BOOK_DAMPERS;
+    const TinkerBook book = batch->waveforms > 0 ? TINKER_BOOK_MOTORS : TINKER_BOOK_DAMPERS;
     for (int32_t i = 0; i < view->count; i++)
         model->book_power[book] -= (chunk->tension[i] - chunk->still[i]) * chunk->rate[i];
     return TINKER_OK;
@@ -50,7 +79,7 @@ static TinkerStatus add_asked_lines(TinkerModel *model, const TinkerAskedBatch *
         TinkerBatch view = tinker_model_view(model, batch, first, count, model->column_views);
         TinkerStatus status = tinker_model_ask_lines(model, batch, points, &view, &chunk);
         if (status == TINKER_OK && books) {
-            status = take_line_power(model, asked, &view, &chunk);
+            status = take_line_power(model, asked, &view, first, &chunk);
             if (status != TINKER_OK) return tinker_model_refuse_forces(model, batch, &view, status, "tension");
         }
         if (status != TINKER_OK) return status;
@@ -94,6 +123,22 @@ static TinkerStatus add_driven_forces(TinkerModel *model, gboolean books)
     return TINKER_OK;
 }
 
+/* What typed forces do by velocities, as drag does, was booked as given by motors, and is taken by dampers; `given` is
+ * the power (W) of all that they do. */
+static TinkerStatus book_drag(TinkerModel *model, const TinkerAskedBatch *asked, int32_t first, int32_t count,
+                              double given)
+{
+    const int32_t *offsets = asked->batch->end_offsets, *points = asked->end_points + offsets[first];
+    const double *still;
+    const TinkerStatus status = tinker_model_ask_element_at_rest(model, asked->batch, points, first, count, &still);
+    if (status != TINKER_OK) return status;
+    for (int32_t e = 0; e < offsets[first + count] - offsets[first]; e++)
+        given -= still[2 * e] * model->point[points[e]].vx + still[2 * e + 1] * model->point[points[e]].vy;
+    model->book_power[TINKER_BOOK_MOTORS] -= given;
+    model->book_power[TINKER_BOOK_DAMPERS] += given;
+    return TINKER_OK;
+}
+
 static TinkerStatus add_asked_forces(TinkerModel *model, const TinkerAskedBatch *asked, gboolean books)
 {
     const TinkerBlockBatch *batch = asked->batch;
@@ -104,11 +149,16 @@ static TinkerStatus add_asked_forces(TinkerModel *model, const TinkerAskedBatch 
         const int32_t *points = asked->end_points + batch->end_offsets[first];
         TinkerElementForces on;
         TinkerStatus status = tinker_model_ask_element(model, batch, points, first, count, &on);
+        double given = 0;
         if (status != TINKER_OK) return status;
         for (int32_t e = 0; e < batch->end_offsets[first + count] - batch->end_offsets[first]; e++) {
             push(model, points[e], on.force[2 * e], on.force[2 * e + 1], book);
+            given += on.force[2 * e] * model->point[points[e]].vx + on.force[2 * e + 1] * model->point[points[e]].vy;
             if (on.torque != NULL) push(model, on.turns[e], on.torque[e], 0, book);
         }
+        if (book == TINKER_BOOK_MOTORS && batch->has_law_of_velocity)
+            status = book_drag(model, asked, first, count, given);
+        if (status != TINKER_OK) return status;
     }
     return TINKER_OK;
 }

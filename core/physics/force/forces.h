@@ -25,6 +25,9 @@ typedef struct {
 } TinkerElementForces;
 TinkerStatus tinker_model_ask_element(TinkerModel *model, const TinkerBlockBatch *batch, const int32_t *points,
                                       int32_t first, int32_t count, TinkerElementForces *answer);
+/* What those on ends without angles do where no end moves: the force on each end, 0 where that is no number. */
+TinkerStatus tinker_model_ask_element_at_rest(TinkerModel *model, const TinkerBlockBatch *batch, const int32_t *points,
+                                              int32_t first, int32_t count, const double **answer);
 /* Of `count` fields from `first` on: the force (N) of all of them on each body. */
 TinkerStatus tinker_model_ask_field(TinkerModel *model, const TinkerBlockBatch *batch, int32_t first, int32_t count,
                                     const double **force);

@@ -1,6 +1,7 @@
 /* The services of the host: the log, and formulas. */
 #include "plugin/call/host-services-private.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "units/compiled/compiled.h"
@@ -44,6 +45,11 @@ static void formula_slopes(const TinkerTypedQuestion *question, int32_t by, doub
     tinker_typed_ask(question, by, -1, results);
 }
 
+static double formula_energy(const TinkerTypedLaw *formula, const double *arguments)
+{
+    return formula->stored != NULL ? tinker_compiled_value(formula->stored, arguments) : NAN;
+}
+
 static const TinkerTypedLawService formula_service = {sizeof(TinkerTypedLawService),
                                                       0,
                                                       formula_value,
@@ -51,7 +57,8 @@ static const TinkerTypedLawService formula_service = {sizeof(TinkerTypedLawServi
                                                       formula_curvature,
                                                       formula_values,
                                                       formula_slopes,
-                                                      tinker_typed_ask};
+                                                      tinker_typed_ask,
+                                                      formula_energy};
 
 static const struct {
     const char *id;

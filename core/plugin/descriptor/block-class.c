@@ -47,7 +47,6 @@ static gboolean check_type(TinkerBlockType *type, GError **error)
         return tinker_refuse(error, "its schema version is %d, at least 1 was expected", type->schema_version);
     if (!tinker_check_text(type->title, "its title", FALSE, error) ||
         !tinker_check_text(type->summary, "its summary", FALSE, error) ||
-        !tinker_check_text(type->formula, "its formula", FALSE, error) ||
         !tinker_check_text(type->help_link, "its help link", FALSE, error))
         return FALSE;
     if (type->title == NULL) type->title = type->id;

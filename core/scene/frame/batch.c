@@ -106,11 +106,27 @@ static void block_batch_free(TinkerBlockBatch *batch)
     g_free(batch);
 }
 
+gboolean tinker_block_batch_is_timed(const TinkerBlockBatch *batch, int32_t row)
+{
+    TinkerTypedLaw *const *laws = batch->laws + (gsize)row * (gsize)batch->law_count;
+    for (int32_t k = 0; k < batch->law_count; k++)
+        if (laws[k] != NULL && laws[k]->depends_on_time) return TRUE;
+    return FALSE;
+}
+
+gboolean tinker_block_batch_stores(const TinkerBlockBatch *batch, int32_t row)
+{
+    TinkerTypedLaw *const *laws = batch->laws + (gsize)row * (gsize)batch->law_count;
+    for (int32_t k = 0; k < batch->law_count; k++)
+        if (laws[k] != NULL && laws[k]->stored != NULL) return TRUE;
+    return FALSE;
+}
+
 /* The laws of one block; the first that cannot be read is told by the batch. */
 static void compile_row(TinkerBlockBatch *batch, int32_t row)
 {
     TinkerSceneTexts texts = {batch->scene, batch->ids[row]};
-    TinkerTypedLaw **law = batch->laws + (gsize)row * (gsize)batch->law_count;
+    TinkerTypedLaw **const laws = batch->laws + (gsize)row * (gsize)batch->law_count, **law = laws;
     for (int32_t p = 0; p < batch->block_class->property_count; p++) {
         if ((batch->block_class->properties[p].flags & TINKER_TEXT_LAW) == 0) continue;
         g_autoptr(GError) error = NULL;
@@ -125,6 +141,10 @@ static void compile_row(TinkerBlockBatch *batch, int32_t row)
                             g_strdup_printf("%s: %s", tinker_scene_block_name(batch->scene, texts.block), note));
         law++;
     }
+    tinker_typed_find_energy(batch->block_class, laws, tinker_scene_text_of, &texts);
+    batch->has_timed_law = batch->has_timed_law || tinker_block_batch_is_timed(batch, row);
+    for (int32_t k = 0; k < batch->law_count; k++)
+        batch->has_law_of_velocity = batch->has_law_of_velocity || (laws[k] != NULL && laws[k]->depends_on_velocity);
 }
 
 static void compile_laws(TinkerBlockBatch *batch)

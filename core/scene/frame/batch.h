@@ -24,18 +24,19 @@ struct _TinkerBlockBatch {
     TinkerSceneEnd *end;  /* of all blocks, row by row */
     int32_t evaluator_count;
     TinkerWaveformEvaluator *
-        *evaluators;              /* waveform by waveform, row by row; NULL where there are none, and so below */
-    int32_t *waveform_columns;    /* first column of each waveform property */
-    struct _TinkerPiece *pieces;  /* of each evaluator, what is known of its next break */
-    int32_t waveforms;            /* waveform properties of the class */
-    void *scratch;                /* as the class's physics asked for; see guarded.h */
-    double *end_masses;           /* kg: see TinkerBatch; NULL: not known */
-    int32_t law_count;            /* typed laws of each block, */
-    struct TinkerTypedLaw **laws; /* row by row; NULL: an empty text, or one that cannot be read: */
-    int32_t point_list_count;     /* lists of points of each block, */
-    TinkerPointList *point_lists; /* row by row; NULL where there are none */
-    GPtrArray *law_notes;         /* of char *: "NAME: ...", where units do not come out; NULL: nothing is typed */
-    char *law_fault;              /* "NAME: ..."; NULL: none */
+        *evaluators;             /* waveform by waveform, row by row; NULL where there are none, and so below */
+    int32_t *waveform_columns;   /* first column of each waveform property */
+    struct _TinkerPiece *pieces; /* of each evaluator, what is known of its next break */
+    int32_t waveforms;           /* waveform properties of the class */
+    void *scratch;               /* as the class's physics asked for; see guarded.h */
+    double *end_masses;          /* kg: see TinkerBatch; NULL: not known */
+    gboolean has_timed_law, has_law_of_velocity; /* of any block */
+    int32_t law_count;                           /* typed laws of each block, */
+    struct TinkerTypedLaw **laws;                /* row by row; NULL: an empty text, or one that cannot be read: */
+    int32_t point_list_count;                    /* lists of points of each block, */
+    TinkerPointList *point_lists;                /* row by row; NULL where there are none */
+    GPtrArray *law_notes; /* of char *: "NAME: ...", where units do not come out; NULL: nothing is typed */
+    char *law_fault;      /* "NAME: ..."; NULL: none */
 };
 
 /* A snapshot of every table with at least one block, of the blocks that `include` has TRUE for (by block id; NULL:
@@ -64,6 +65,11 @@ char *tinker_block_batch_refusal(const TinkerBlockBatch *batch, const TinkerBatc
 #define TINKER_CALL_BATCH(blocks, function, view, call)                                                                \
     TINKER_CALL(call, .phase = (function), .block_class = (blocks)->block_class, .batch = (view),                      \
                 .name = tinker_block_batch_name, .source = (blocks))
+
+/* Whether a typed law of the block depends on t. */
+gboolean tinker_block_batch_is_timed(const TinkerBlockBatch *batch, int32_t row);
+/* Whether the energy is known that its typed law stores. */
+gboolean tinker_block_batch_stores(const TinkerBlockBatch *batch, int32_t row);
 
 /* The entry of a block's row that has a meaning (TINKER_MEANING_...), by component; `otherwise` where no property has
  * it. */

@@ -122,16 +122,25 @@ static gboolean write_points(SceneWriter *writer, const TinkerPropertyType *type
     return TRUE;
 }
 
+/* A number that a law names stands without quotes where it is read back as the same digits: "1e3" and "3.0" are kept.
+ */
+static gboolean is_plain_number(const TinkerPropertyType *type, const char *text)
+{
+    char *end = NULL;
+    const double value = (type->flags & TINKER_TEXT_QUANTITY) != 0 ? g_ascii_strtod(text, &end) : NAN;
+    if (!isfinite(value) || end == text || *end != '\0') return FALSE;
+    g_autofree char *digits = tinker_quantity_to_text(value, type->dimension, TINKER_UNIT_SYSTEM_SI);
+    return strcmp(digits, text) == 0;
+}
+
 static void write_property(SceneWriter *writer, TinkerBlockId id, const TinkerBlockClass *block_class, int32_t property)
 {
     const TinkerPropertyType *type = &block_class->properties[property];
     if (!tinker_scene_property_given(writer->scene, id, property)) return;
     if (type->kind == TINKER_KIND_TEXT) {
         const char *text = tinker_scene_get_text(writer->scene, id, property);
-        char *end = NULL;
         if ((type->flags & TINKER_TEXT_POINTS) != 0 && write_points(writer, type, text)) return;
-        if ((type->flags & TINKER_TEXT_QUANTITY) != 0 && isfinite(g_ascii_strtod(text, &end)) && end != text &&
-            *end == '\0') {
+        if (is_plain_number(type, text)) {
             scene_write_key(writer, type->id);
             g_string_append(writer->out, text);
             return;

@@ -61,6 +61,8 @@ struct TinkerTypedLaw {
     TinkerCompiled **slopes;     /* by each argument */
     TinkerCompiled **curvatures; /* by two, row by row */
     TinkerTypedRow *row;         /* that it is a member of; NULL: none */
+    TinkerCompiled *stored;      /* the energy that it stores, over its arguments; NULL: none that is known */
+    gboolean depends_on_time, depends_on_velocity;
 };
 
 /* Puts those that differ in their numbers alone and follow one another into rows: laws[i * stride], which are replaced;

@@ -103,6 +103,7 @@ void tinker_typed_free(TinkerTypedLaw *law)
         tinker_compiled_free(law->slopes[i]);
     for (int i = 0; i < law->count * law->count; i++)
         tinker_compiled_free(law->curvatures[i]);
+    tinker_compiled_free(law->stored);
     g_free(law->slopes);
     g_free(law->curvatures);
     if (law->row != NULL)

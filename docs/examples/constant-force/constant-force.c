@@ -62,6 +62,11 @@ static const TinkerQuantityType quantities[] = {
     TINKER_QUANTITY(0, "power", "Power", "Power given to the body", TINKER_DIMENSION_POWER),
 };
 
+static const TinkerLawEquation law[] = {
+    TINKER_EQUATION("force_x", "Fx", NULL, TINKER_DIMENSION_FORCE),
+    TINKER_EQUATION("force_y", "Fy", NULL, TINKER_DIMENSION_FORCE),
+};
+
 static const TinkerInterface interfaces[] = {
     {TINKER_PHYSICS_INTERFACE, &physics},
     {TINKER_RENDER_INTERFACE, &render},
@@ -70,9 +75,8 @@ static const TinkerInterface interfaces[] = {
 
 static const TinkerBlockType blocks[] = {
     {TINKER_BLOCK("constant-force", "Constant Force", TINKER_FORCE), .summary = "The same force on one body for ever",
-     .formula = "F = (Fx, Fy)", .least_ends = 1, .most_ends = 1, .end_accepts = TINKER_ACCEPTS_BODY,
-     .properties = TINKER_SPAN(properties), .quantities = TINKER_SPAN(quantities),
-     .interfaces = TINKER_SPAN(interfaces)},
+     .least_ends = 1, .most_ends = 1, .end_accepts = TINKER_ACCEPTS_BODY, .properties = TINKER_SPAN(properties),
+     .quantities = TINKER_SPAN(quantities), .interfaces = TINKER_SPAN(interfaces), .law = TINKER_SPAN(law)},
 };
 
 TINKER_DEFINE_PLUGIN("org.example.constant-force", "Constant Force", "1.0.0", "MIT", blocks)

@@ -6,6 +6,7 @@
 
 #include "cli/report/text-table.h"
 #include "common/program/print.h"
+#include "law/law-text.h"
 #include "scene/frame/tops.h"
 #include "scene/store/quantities.h"
 #include "units/quantity/units.h"
@@ -200,13 +201,17 @@ static char *limit_text(const char *what, double limit)
     return g_strdup_printf("%s up to %.4g", what, limit);
 }
 
+/* A row each, and one more for each further line of its text. */
 static void show_rows(const char *const (*rows)[2], gsize count, FILE *file)
 {
     g_autoptr(TinkerTextTable) table = tinker_text_table_new("ll", 2);
     for (gsize i = 0; i < count; i++) {
         if (rows[i][1] == NULL) continue;
-        tinker_text_table_add(table, rows[i][0]);
-        tinker_text_table_add(table, rows[i][1]);
+        g_auto(GStrv) lines = g_strsplit(rows[i][1], "\n", -1);
+        for (gsize k = 0; lines[k] != NULL; k++) {
+            tinker_text_table_add(table, k == 0 ? rows[i][0] : "");
+            tinker_text_table_add(table, lines[k]);
+        }
     }
     fputc('\n', file);
     tinker_text_table_write(table, file);
@@ -216,15 +221,20 @@ void tinker_plugins_show(const TinkerBlockClass *block_class, FILE *file)
 {
     const TinkerBlockType *type = block_class->type;
     const TinkerPlugin *plugin = block_class->plugin;
+    g_auto(GStrv) lines = tinker_class_law_lines(block_class);
+    g_autofree char *law = lines[0] != NULL ? g_strjoinv("\n", lines) : NULL;
     g_autofree char *ends = ends_text(type);
     g_autofree char *interfaces = interfaces_text(block_class);
     g_autofree char *version = g_strdup_printf("%s %s, %s", plugin->id, plugin->version, plugin->licence);
     tinker_print_line(file, "%s: %s (%s)", type->id, type->title, type->category);
     if (type->summary != NULL) tinker_print_line(file, "%s", type->summary);
     const char *const rows[][2] = {
-        {"formula", type->formula},     {"ends", ends},
-        {"interfaces", interfaces},     {"plugin", version},
-        {"library", block_class->path}, {"help", type->help_link},
+        {"law", law},
+        {"ends", ends},
+        {"interfaces", interfaces},
+        {"plugin", version},
+        {"library", block_class->path},
+        {"help", type->help_link},
     };
     show_rows(rows, G_N_ELEMENTS(rows), file);
     show_properties(block_class, file);

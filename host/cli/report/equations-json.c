@@ -74,6 +74,8 @@ static void add_symbols(cJSON *root, const TinkerEquations *equations)
         cJSON_AddNumberToObject(object, "value", symbol->value);
         cJSON_AddStringToObject(object, "unit", tinker_equation_unit(symbol->dimension, FALSE));
         add_block(object, equations, symbol->block);
+        const char *typed = tinker_equations_typed_text(equations, symbol);
+        if (typed != NULL) cJSON_AddStringToObject(object, "text", typed);
         if (symbol->property != NULL) cJSON_AddStringToObject(object, "property", symbol->property);
         if (symbol->quantity != NULL) cJSON_AddStringToObject(object, "quantity", symbol->quantity);
     }

@@ -11,6 +11,7 @@
 #include "gui/text/word-search.h"
 #include "gui/widget/desktop-theme.h"
 #include "gui/widget/unparent.h"
+#include "law/law-text.h"
 
 #define ICON_WIDTH     48
 #define ICON_HEIGHT    32
@@ -131,14 +132,17 @@ static GtkWidget *icon_of(Item *item)
     return icon;
 }
 
-/* What it does, below its name where that is not seen. */
+/* What it does and its law, below its name where that is not seen. */
 static void show_tooltip(const Item *item, gboolean named)
 {
     const TinkerBlockType *type = item->block_class->type;
     g_autoptr(GString) text = g_string_new(named ? tinker_translate(type->title) : NULL);
+    g_auto(GStrv) law = tinker_class_law_lines(item->block_class);
     if (type->summary != NULL)
-        g_string_append_printf(text, "%s%s.\n%s", named ? "\n" : "", tinker_translate(type->summary),
-                               _("Click or drag it onto the canvas."));
+        g_string_append_printf(text, "%s%s.", named ? "\n" : "", tinker_translate(type->summary));
+    for (char **line = law; *line != NULL; line++)
+        g_string_append_printf(text, "%s%s", text->len > 0 ? "\n" : "", *line);
+    if (type->summary != NULL) g_string_append_printf(text, "\n%s", _("Click or drag it onto the canvas."));
     gtk_widget_set_tooltip_text(item->button, text->len > 0 ? text->str : NULL);
 }
 

@@ -187,10 +187,9 @@ static const TinkerInterface interfaces[] = {
 
 static const TinkerBlockType blocks[] = {
     {TINKER_BLOCK("angle-spring", "Angle Spring", TINKER_CONNECTOR),
-     .summary = "Turns two arms about a hinge towards their rest angle", .formula = "M = k (theta - theta0)",
-     .least_ends = ENDS, .most_ends = ENDS, .end_accepts = TINKER_ACCEPTS_BODY | TINKER_ACCEPTS_SUPPORT,
-     .properties = TINKER_SPAN(properties), .quantities = TINKER_SPAN(quantities),
-     .interfaces = TINKER_SPAN(interfaces), .law = TINKER_SPAN(law)},
+     .summary = "Turns two arms about a hinge towards their rest angle", .least_ends = ENDS, .most_ends = ENDS,
+     .end_accepts = TINKER_ACCEPTS_BODY | TINKER_ACCEPTS_SUPPORT, .properties = TINKER_SPAN(properties),
+     .quantities = TINKER_SPAN(quantities), .interfaces = TINKER_SPAN(interfaces), .law = TINKER_SPAN(law)},
 };
 
 TINKER_DEFINE_PLUGIN("org.example.angle-spring", "Angle Spring", "1.0.0", "MIT", blocks)

@@ -159,8 +159,7 @@ static const TinkerInterface interfaces[] = {
 
 static const TinkerBlockType blocks[] = {
     {TINKER_BLOCK("cubic-spring", "Cubic Spring", TINKER_CONNECTOR),
-     .summary = "A spring that hardens or softens with the cube of its extension",
-     .formula = "T = k (L - L0) + c (L - L0)^3", .least_ends = 2, .most_ends = 2,
+     .summary = "A spring that hardens or softens with the cube of its extension", .least_ends = 2, .most_ends = 2,
      .end_accepts = TINKER_ACCEPTS_BODY | TINKER_ACCEPTS_SUPPORT, .properties = TINKER_SPAN(properties),
      .quantities = TINKER_SPAN(quantities), .interfaces = TINKER_SPAN(interfaces), .law = TINKER_SPAN(law)},
 };

@@ -133,9 +133,8 @@ static const TinkerInterface interfaces[] = {
 
 static const TinkerBlockType blocks[] = {
     {TINKER_BLOCK("inverse-square", "Inverse-Square Field", TINKER_FIELD),
-     .summary = "All bodies attract each other as stars do", .formula = "F = G m M / r^2",
-     .properties = TINKER_SPAN(properties), .quantities = TINKER_SPAN(quantities),
-     .interfaces = TINKER_SPAN(interfaces), .law = TINKER_SPAN(law)},
+     .summary = "All bodies attract each other as stars do", .properties = TINKER_SPAN(properties),
+     .quantities = TINKER_SPAN(quantities), .interfaces = TINKER_SPAN(interfaces), .law = TINKER_SPAN(law)},
 };
 
 TINKER_DEFINE_PLUGIN("org.example.inverse-square", "Inverse-Square Field", "1.0.0", "MIT", blocks)

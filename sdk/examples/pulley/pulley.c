@@ -128,9 +128,9 @@ static const TinkerInterface interfaces[] = {
 
 static const TinkerBlockType blocks[] = {
     {TINKER_BLOCK("pulley", "Pulley", TINKER_CONNECTOR), .summary = "A rope over wheels; it may be slack",
-     .formula = "|x2 - x1| + |x3 - x2| + ... <= l", .least_ends = 2, .most_ends = -1,
-     .end_accepts = TINKER_ACCEPTS_BODY | TINKER_ACCEPTS_SUPPORT, .properties = TINKER_SPAN(properties),
-     .quantities = TINKER_SPAN(quantities), .interfaces = TINKER_SPAN(interfaces), .law = TINKER_SPAN(law)},
+     .least_ends = 2, .most_ends = -1, .end_accepts = TINKER_ACCEPTS_BODY | TINKER_ACCEPTS_SUPPORT,
+     .properties = TINKER_SPAN(properties), .quantities = TINKER_SPAN(quantities),
+     .interfaces = TINKER_SPAN(interfaces), .law = TINKER_SPAN(law)},
 };
 
 TINKER_DEFINE_PLUGIN("org.example.pulley", "Pulley", "1.0.0", "MIT", blocks)

@@ -126,9 +126,9 @@ static const TinkerInterface interfaces[] = {
 
 static const TinkerBlockType blocks[] = {
     {TINKER_BLOCK("straight-guide", "Straight Guide", TINKER_CONNECTOR),
-     .summary = "Keeps its first end on the line through the two others", .formula = "(x2 - x1) x (x0 - x1) = 0",
-     .least_ends = ENDS, .most_ends = ENDS, .end_accepts = TINKER_ACCEPTS_BODY | TINKER_ACCEPTS_SUPPORT,
-     .quantities = TINKER_SPAN(quantities), .interfaces = TINKER_SPAN(interfaces), .law = TINKER_SPAN(law)},
+     .summary = "Keeps its first end on the line through the two others", .least_ends = ENDS, .most_ends = ENDS,
+     .end_accepts = TINKER_ACCEPTS_BODY | TINKER_ACCEPTS_SUPPORT, .quantities = TINKER_SPAN(quantities),
+     .interfaces = TINKER_SPAN(interfaces), .law = TINKER_SPAN(law)},
 };
 
 TINKER_DEFINE_PLUGIN("org.example.straight-guide", "Straight Guide", "1.0.0", "MIT", blocks)

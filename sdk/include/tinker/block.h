@@ -84,7 +84,7 @@ typedef struct TinkerPropertyType {
     const char *id;            /* stable name in small letters, "rest_length": the key in a scene */
     const char *title;         /* label of the row, "Undeformed Length" */
     const char *group;         /* heading it stands under, "Spring Properties" */
-    const char *symbol;        /* as in the formula, "k"; NULL where there is none */
+    const char *symbol;        /* as in its law, "k"; NULL where there is none */
     const char *description;   /* one sentence for the tooltip */
     TinkerDimension dimension; /* of a waveform: of its value */
     uint32_t flags;
@@ -144,7 +144,6 @@ typedef struct TinkerBlockType {
     const char *title;      /* "Spring"; new blocks are called "Spring 0", "Spring 1", ... */
     const char *category;
     const char *summary; /* one sentence: what it is for */
-    const char *formula; /* its law in the symbols of its properties, "T = k (L - L0)"; NULL where there is none */
     /* A PNG beside the library, for palettes, where it is fitted into 48 by 32 pixels (make it larger, for fine
      * screens); on whatever is behind, light or dark. NULL, or where it cannot be read: the block is drawn with its
      * default properties, a connector from left to right. */

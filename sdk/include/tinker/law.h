@@ -1,8 +1,9 @@
 /* Tinker SDK: a block's law, stated as data beside its code.
  *
- * From it the host makes the equations of a scene and typesets them, differentiates them and checks their dimensions,
- * and `tinker plugins check` holds the code to it at random states (rule "law"). A block may leave it out: all else
- * works, and where equations are shown its force is named as one without a law.
+ * From it the host makes the lines that say what a block does, and the equations of a scene; it typesets them,
+ * differentiates them and checks their dimensions, and `tinker plugins check` holds the code to it at random states
+ * (rule "law"). A block may leave it out: all else works, and where its law would be shown its force has a name and no
+ * more.
  *
  * The law is a list of equations, symbol = expression, each of which may use the symbols before it. Expressions are of
  * the grammar that waveforms have as well (docs/reference/expressions.md). Their symbols are:
@@ -14,7 +15,9 @@
  * line law       L, rate                                        tension; potential, of L alone
  * force element  x, y, vx, vy, theta, omega, turns of its end,  force_x and force_y of its end, or force_x1, ...;
  *                or x1, y1, ...                                 torque, torque1, ... beside what the forces do by their
- *                                                               arms; potential: minus its gradient may stand for both
+ *                                                               arms; potential: minus its gradient may stand for both;
+ *                                                               of blows impulse_x, impulse_y and angular_impulse, or
+ *                                                               impulse_x1, ...: what the end is given at the instant
  * field          x, y, vx, vy, m of the body                    force_x, force_y; potential
  * that couples   those, and x2, y2, vx2, vy2, m2 of another     pair_force_x, pair_force_y: what the other does to the
  *                                                               body; pair_potential, of each pair once

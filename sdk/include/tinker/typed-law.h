@@ -62,6 +62,9 @@ typedef struct TinkerTypedLawService {
     void (*values)(const TinkerTypedQuestion *question, double *results);
     void (*slopes)(const TinkerTypedQuestion *question, int32_t by, double *results);
     void (*curvatures)(const TinkerTypedQuestion *question, int32_t by, int32_t and_by, double *results);
+    /* The energy that a tension or force stores by what it is at rest, over the law's own arguments; of two forces the
+     * one that is given first knows that of both. NAN: none that is known, as of what depends on t. */
+    double (*energy)(const TinkerTypedLaw *formula, const double *arguments);
 } TinkerTypedLawService;
 
 /* The formula of an instance; NULL where its text is empty. */
@@ -183,12 +186,16 @@ static inline double tinker_typed_force_slope(const TinkerTypedLawService *servi
     return force != NULL ? service->slope(force, by, place->of_force) : 0.0;
 }
 
-/* The energy of a potential; 0 where there is none. */
+/* The energy of a potential, or what forces store that are given; 0 where there is none. */
 static inline double tinker_typed_energy(const TinkerTypedLawService *service, const TinkerBatch *batch,
                                          int32_t instance, const TinkerTypedLawPlace *place)
 {
     const TinkerTypedLaw *potential = tinker_typed(batch, instance, TINKER_TYPED_POTENTIAL);
-    return potential != NULL ? service->value(potential, place->of_potential) : 0.0;
+    const TinkerTypedLaw *along_x = tinker_typed(batch, instance, TINKER_TYPED_FORCE_X);
+    const TinkerTypedLaw *first = along_x != NULL ? along_x : tinker_typed(batch, instance, TINKER_TYPED_FORCE_Y);
+    if (potential != NULL) return service->value(potential, place->of_potential);
+    const double stored = first != NULL ? service->energy(first, place->of_force) : 0.0;
+    return stored == stored ? stored : 0.0;
 }
 
 /* TinkerPhysics.prepare of such a block. */

@@ -97,7 +97,7 @@ static const TinkerInterface interfaces[] = {
 
 static const TinkerBlockType blocks[] = {
     {TINKER_BLOCK("@name@", "@title@", TINKER_CONNECTABLE), .summary = "A round mass that nothing collides with",
-     .formula = "m a = F", .properties = TINKER_SPAN(properties), .quantities = TINKER_SPAN(quantities),
+     .properties = TINKER_SPAN(properties), .quantities = TINKER_SPAN(quantities),
      .interfaces = TINKER_SPAN(interfaces)},
 };
 

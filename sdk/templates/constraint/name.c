@@ -108,10 +108,9 @@ static const TinkerInterface interfaces[] = {
 };
 
 static const TinkerBlockType blocks[] = {
-    {TINKER_BLOCK("@name@", "@title@", TINKER_CONNECTOR), .summary = "Keeps a body on a straight line",
-     .formula = "n . (x - p) = 0, n = (-sin a, cos a)", .least_ends = 1, .most_ends = 1,
-     .end_accepts = TINKER_ACCEPTS_BODY, .properties = TINKER_SPAN(properties), .quantities = TINKER_SPAN(quantities),
-     .interfaces = TINKER_SPAN(interfaces), .law = TINKER_SPAN(law)},
+    {TINKER_BLOCK("@name@", "@title@", TINKER_CONNECTOR), .summary = "Keeps a body on a straight line", .least_ends = 1,
+     .most_ends = 1, .end_accepts = TINKER_ACCEPTS_BODY, .properties = TINKER_SPAN(properties),
+     .quantities = TINKER_SPAN(quantities), .interfaces = TINKER_SPAN(interfaces), .law = TINKER_SPAN(law)},
 };
 
 TINKER_DEFINE_PLUGIN("org.example.@name@", "@title@", "0.1.0", "MIT", blocks)

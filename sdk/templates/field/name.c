@@ -95,7 +95,7 @@ static const TinkerInterface interfaces[] = {
 
 static const TinkerBlockType blocks[] = {
     {TINKER_BLOCK("@name@", "@title@", TINKER_FIELD), .summary = "Resists all bodies by the square of their speed",
-     .formula = "F = -c |v| v", .properties = TINKER_SPAN(properties), .quantities = TINKER_SPAN(quantities),
+     .properties = TINKER_SPAN(properties), .quantities = TINKER_SPAN(quantities),
      .interfaces = TINKER_SPAN(interfaces), .law = TINKER_SPAN(law)},
 };
 

@@ -82,10 +82,9 @@ static const TinkerInterface interfaces[] = {
 };
 
 static const TinkerBlockType blocks[] = {
-    {TINKER_BLOCK("@name@", "@title@", TINKER_FORCE), .summary = "Pushes a body sideways as it moves",
-     .formula = "F = b (-vy, vx)", .least_ends = 1, .most_ends = 1, .end_accepts = TINKER_ACCEPTS_BODY,
-     .properties = TINKER_SPAN(properties), .quantities = TINKER_SPAN(quantities),
-     .interfaces = TINKER_SPAN(interfaces), .law = TINKER_SPAN(law)},
+    {TINKER_BLOCK("@name@", "@title@", TINKER_FORCE), .summary = "Pushes a body sideways as it moves", .least_ends = 1,
+     .most_ends = 1, .end_accepts = TINKER_ACCEPTS_BODY, .properties = TINKER_SPAN(properties),
+     .quantities = TINKER_SPAN(quantities), .interfaces = TINKER_SPAN(interfaces), .law = TINKER_SPAN(law)},
 };
 
 TINKER_DEFINE_PLUGIN("org.example.@name@", "@title@", "0.1.0", "MIT", blocks)

@@ -39,6 +39,13 @@ def test_new_blocks_are_as_large_as_the_scene_wants(display):
             check_close(pivot["height"], 0.4 * factor, 1e-9 * factor, "height of a pivot (m)")
 
 
+def test_tooltip_says_the_law(display):
+    with App(display, scene()) as app:
+        for title, law in (("Spring", "T = k (L − L0)"), ("Mass", "m a = ΣF"), ("Rod", "L − l = 0")):
+            told = app.palette_button(title).description
+            check(law in told.split("\n"), f"{law} is in {told!r}")
+
+
 def test_names_count_up(display):
     with App(display, scene()) as app:
         for name in ("Mass", "Mass", "Support", "Spring", "Damper", "Rod", "Motor"):
