@@ -288,7 +288,7 @@ static double choose_shift(TinkerModel *model, Missed missed_of, const double *g
 {
     TinkerConstraints *all = &model->constraints;
     double least = missed_of(model, given, found), best = all->shift;
-    if (all->redundant == 0) return least;
+    if (all->dependent == 0) return least;
     while (least > TINKER_MET && all->shift * TINKER_SHIFT_STEP >= TINKER_LEAST_SHIFT) {
         take_shift(all, all->shift * TINKER_SHIFT_STEP);
         const double missed = missed_of(model, given, found);

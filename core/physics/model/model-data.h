@@ -130,6 +130,14 @@ typedef struct {
     int32_t row, slot;
 } TinkerIdleRow;
 
+/* A row that repeats `first`, which stands before it, sign times (repeated-rows.h). */
+typedef struct {
+    int32_t row, first;
+    int32_t copies; /* rows that say so, with the first */
+    double sign;
+    int32_t slot, first_slot; /* of both on the diagonal of S */
+} TinkerRepeatedRow;
+
 /* Whether there is a factor of S, and of which Jacobian: see TinkerConstraints. */
 typedef struct {
     gboolean factored, keeps_factored, shifted;
@@ -157,6 +165,9 @@ typedef struct {
     double *own_g, *own_drift, *own_rate, *own_jacobian;
     TinkerIdleRow *idle; /* room for every row */
     int32_t idle_count;
+    TinkerRepeatedRow *repeated; /* in the order of `first`, then of `row` */
+    int32_t repeated_count;
+    gboolean *repeats; /* by row; NULL where none does */
     TinkerProduct *products;
     gsize product_count;
     TinkerTurnEntry *turns; /* in the order of the rows */
@@ -170,7 +181,8 @@ typedef struct {
     TinkerPinChains *pin_chains; /* of blocks whose ends coincide that do; else NULL */
     double work;       /* J: what the last projection of positions gave, by the applied forces evaluated last */
     gboolean gave_way; /* a projection stopped short at a singular place; whoever reports it clears it */
-    int32_t redundant; /* rows that depend on others at the start: every solve is proximal */
+    int32_t redundant; /* rows that depend on others at the start, with those that repeat one: told to users */
+    int32_t dependent; /* without those: where there are any, every solve is proximal */
     double shift;      /* of it: a share of the diagonal of S */
 
     /* working state */
