@@ -49,7 +49,7 @@ static gboolean refuse_entangled(const TinkerModel *model, GError **error)
     return FALSE;
 }
 
-/* The entries on each body, of rows that are in the matrix. */
+/* The entries on each body whose products S is made of. */
 typedef struct {
     const int32_t *starts, *entries;
     int32_t *own; /* what they lie in, where those are not all rows; else NULL */
@@ -61,16 +61,18 @@ static void listed_clear(Listed *listed)
 }
 G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC(Listed, listed_clear)
 
-static gboolean leave_out_repeated(TinkerModel *model, Listed *listed, GError **error)
+/* Without rows that repeat others, and without hubs. */
+static gboolean list_products_by_body(TinkerModel *model, Listed *listed, GError **error)
 {
     const TinkerConstraints *all = &model->constraints;
     *listed = (Listed){all->body_starts, all->body_entries, NULL};
-    if (all->repeats == NULL) return TRUE;
+    if (all->repeats == NULL && all->hubs == NULL) return TRUE;
     listed->own = ALLOT(model, int32_t, model->bodies + 1 + all->entries);
     if (model->lacks_memory) return tinker_constraints_lack_memory(model, error);
     int32_t *starts = listed->own, *entries = starts + model->bodies + 1, count = 0;
     for (int32_t i = 0; i < model->bodies; i++) {
-        for (int32_t p = all->body_starts[i]; p < all->body_starts[i + 1]; p++)
+        const gboolean hub = all->hubs != NULL && all->hubs[i] > 0;
+        for (int32_t p = all->body_starts[i]; !hub && p < all->body_starts[i + 1]; p++)
             if (!tinker_row_repeats(all, all->row_of[all->body_entries[p]])) entries[count++] = all->body_entries[p];
         starts[i + 1] = count;
     }
@@ -92,7 +94,8 @@ static double count_products(const TinkerModel *model, const Listed *listed)
 static gboolean compile_pattern(TinkerModel *model, const Listed *listed, gsize products, GError **error)
 {
     TinkerConstraints *all = &model->constraints;
-    g_autofree int *rows = ALLOT(model, int, products), *columns = ALLOT(model, int, products);
+    const gsize most = products + (gsize)all->hub_entry_count;
+    g_autofree int *rows = ALLOT(model, int, most), *columns = ALLOT(model, int, most);
     gsize count = 0;
     if (model->lacks_memory) return tinker_constraints_lack_memory(model, error);
     for (int32_t i = 0; i < model->bodies; i++)
@@ -103,7 +106,11 @@ static gboolean compile_pattern(TinkerModel *model, const Listed *listed, gsize 
                 rows[count] = row;
                 columns[count++] = column;
             }
-    all->ldl = tinker_sparse_ldl_new(all->rows, rows, columns, count);
+    for (int32_t k = 0; k < all->hub_entry_count; k++, count++) {
+        rows[count] = all->hub_entries[k].row;
+        columns[count] = all->hub_entries[k].unknown;
+    }
+    all->ldl = tinker_sparse_ldl_new_bordered(all->rows + all->border, all->border, rows, columns, count);
     if (all->ldl != NULL) return TRUE;
     return errno == ENOMEM ? tinker_constraints_lack_memory(model, error) : refuse_entangled(model, error);
 }
@@ -169,13 +176,16 @@ gboolean tinker_constraints_compile_pattern(TinkerModel *model, GError **error)
     TinkerConstraints *all = &model->constraints;
     g_auto(Listed) listed = {NULL, NULL, NULL};
     if (!list_entries_by_body(model, error)) return FALSE;
-    if (!tinker_repeated_rows_find(model)) return tinker_constraints_lack_memory(model, error);
-    if (!leave_out_repeated(model, &listed, error)) return FALSE;
+    if (!tinker_repeated_rows_find(model) || !tinker_constraints_find_hubs(model))
+        return tinker_constraints_lack_memory(model, error);
+    tinker_constraints_list_hubs(model);
+    if (!list_products_by_body(model, &listed, error)) return FALSE;
     const double products = count_products(model, &listed);
     if (products > MOST_PRODUCTS) return refuse_entangled(model, error);
     if (!compile_pattern(model, &listed, (gsize)products, error)) return FALSE;
     if (!list_products(model, &listed, (gsize)products, error)) return FALSE;
     tinker_repeated_rows_place(all);
+    tinker_constraints_place_hubs(model);
     qsort(all->products, all->product_count, sizeof(TinkerProduct), compare_products);
     return all->turn_count == 0 || list_turn_products(model, &listed, error);
 }

@@ -2,6 +2,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "numerics/solve/lapack.h"
 #include "numerics/solve/rank.h"
 #include "physics/constraint/constraints-private.h"
 #include "physics/constraint/tolerances.h"
@@ -32,6 +33,10 @@ static void assemble(TinkerConstraints *all)
         if (values[all->idle[i].slot] == 0) values[all->idle[i].slot] = 1.0;
     for (int32_t i = 0; i < all->repeated_count; i++)
         values[all->repeated[i].slot] = 1.0;
+    for (int32_t k = 0; k < all->hub_entry_count; k++)
+        values[all->hub_entries[k].slot] += j[all->hub_entries[k].entry];
+    for (int32_t k = 0; k < all->border; k++)
+        values[all->hub_masses[k].slot] = -all->hub_masses[k].mass;
 }
 
 static double mean_diagonal(const TinkerConstraints *all)
@@ -47,6 +52,10 @@ static double mean_diagonal(const TinkerConstraints *all)
     for (gsize i = 0; i < all->turn_product_count; i++) {
         const TinkerProduct *p = &all->turn_products[i];
         if (p->first_entry == p->second_entry) sum += p->inverse_mass * j[p->first_entry] * j[p->first_entry];
+    }
+    for (int32_t k = 0; k < all->hub_entry_count; k++) {
+        const TinkerHubEntry *of = &all->hub_entries[k];
+        sum += j[of->entry] * j[of->entry] / all->hub_masses[of->unknown - all->rows].mass;
     }
     return sum / (all->rows - all->repeated_count);
 }
@@ -117,7 +126,7 @@ gboolean tinker_constraints_factor_and_solve(TinkerConstraints *all, double *b)
     all->factored = TRUE;
     all->shifted = FALSE;
     all->keeps_factored = TRUE;
-    if (all->dependent == 0) {
+    if (!tinker_constraints_are_proximal(all)) {
         memcpy(all->residual, b, bytes);
         assemble(all);
         if (tinker_sparse_ldl_factor_and_solve(all->ldl, TINKER_DEPENDENT, b)) return TRUE;
@@ -127,10 +136,39 @@ gboolean tinker_constraints_factor_and_solve(TinkerConstraints *all, double *b)
     return FALSE;
 }
 
+void tinker_constraints_substitute(TinkerConstraints *all, double *b)
+{
+    if (all->border == 0) {
+        tinker_sparse_ldl_solve(all->ldl, b);
+        return;
+    }
+    const gsize bytes = (gsize)all->rows * sizeof(double);
+    memcpy(all->bordered, b, bytes);
+    memset(all->bordered + all->rows, 0, (gsize)all->border * sizeof(double));
+    tinker_sparse_ldl_solve(all->ldl, all->bordered);
+    memcpy(b, all->bordered, bytes);
+}
+
+/* How many of the rows that are dependent without their hubs are not with them: of what they have there, the rank. */
+static int32_t rank_on_hubs(const TinkerConstraints *all)
+{
+    const gsize n = (gsize)all->border;
+    g_autofree double *products = g_new0(double, n *n), *values = g_new0(double, n);
+    int32_t rank = 0;
+    tinker_sparse_ldl_left_out(all->ldl, products);
+    for (gsize i = 0; i < n * n; i++)
+        products[i] /= sqrt(all->hub_masses[i / n].mass * all->hub_masses[i % n].mass);
+    if (!tinker_eigen_symmetric((int32_t)n, products, values)) return 0;
+    for (gsize i = 0; i < n; i++)
+        rank += values[i] > TINKER_DEPENDENT * values[n - 1];
+    return rank;
+}
+
 int32_t tinker_constraints_count_dependent(TinkerModel *model)
 {
     TinkerConstraints *all = &model->constraints;
     assemble(all);
     all->factored = all->keeps_factored = FALSE;
-    return tinker_sparse_ldl_count_dependent(all->ldl, TINKER_DEPENDENT, NULL);
+    const int32_t count = tinker_sparse_ldl_count_dependent(all->ldl, TINKER_DEPENDENT, NULL);
+    return count == 0 || all->border == 0 ? count : count - rank_on_hubs(all);
 }

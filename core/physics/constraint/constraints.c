@@ -55,7 +55,7 @@ static double solve_proximally(TinkerModel *model, double *b)
     for (int iteration = 0; iteration < MOST_PROXIMAL_ITERATIONS; iteration++) {
         if (!(left > 1e-15 * scale) || !(left < 0.5 * before)) break;
         before = left;
-        tinker_sparse_ldl_solve(all->ldl, r);
+        tinker_constraints_substitute(all, r);
         for (int32_t row = 0; row < all->rows; row++)
             x[row] += r[row];
         memset(all->by_point, 0, 2 * (gsize)model->points * sizeof(double));
@@ -106,7 +106,7 @@ static const double *fold(TinkerConstraints *all, const double *extra)
  * turned out to depend on each other here. */
 static gboolean solve_chains(TinkerConstraints *all, const TinkerRowDemand *demand, gboolean roughly)
 {
-    if ((all->chains == NULL && all->pin_chains == NULL) || all->dependent > 0) return FALSE;
+    if ((all->chains == NULL && all->pin_chains == NULL) || tinker_constraints_are_proximal(all)) return FALSE;
     const gboolean any = roughly && all->factored && !all->shifted,
                    of_factor = !any && tinker_constraints_are_factored(all);
     if (any || of_factor) {
@@ -169,7 +169,7 @@ static double solve_first(TinkerModel *model, double *b)
     }
     if (!tinker_constraints_are_factored(all) && tinker_constraints_factor_and_solve(all, b)) return 0;
     if (all->shifted) return solve_proximally(model, b);
-    tinker_sparse_ldl_solve(all->ldl, b);
+    tinker_constraints_substitute(all, b);
     return 0;
 }
 
@@ -195,7 +195,7 @@ void tinker_constraints_newton_step(TinkerModel *model, gboolean roughly)
         tinker_constraints_solve(model, all->lambda);
     } else {
         tinker_repeated_rows_fold(all, all->lambda);
-        tinker_sparse_ldl_solve(all->ldl, all->lambda);
+        tinker_constraints_substitute(all, all->lambda);
         tinker_repeated_rows_spread(all, all->lambda);
     }
     memset(displacement, 0, (gsize)model->coordinates * sizeof(double));

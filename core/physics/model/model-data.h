@@ -138,6 +138,17 @@ typedef struct {
     int32_t slot, first_slot; /* of both on the diagonal of S */
 } TinkerRepeatedRow;
 
+/* What a row has on a hub, a body that S leaves out: by its number in a Jacobian, in the column of one of the unknowns
+ * behind the rows. */
+typedef struct {
+    int32_t row, unknown, entry, slot;
+} TinkerHubEntry;
+
+typedef struct {
+    int32_t slot; /* of such an unknown on the diagonal */
+    double mass;  /* kg: of its body */
+} TinkerHubMass;
+
 /* Whether there is a factor of S, and of which Jacobian: see TinkerConstraints. */
 typedef struct {
     gboolean factored, keeps_factored, shifted;
@@ -168,6 +179,12 @@ typedef struct {
     TinkerRepeatedRow *repeated; /* in the order of `first`, then of `row` */
     int32_t repeated_count;
     gboolean *repeats; /* by row; NULL where none does */
+    int32_t *hubs;     /* of each body: the first unknown of its own, behind the rows; 0: it has none. NULL: no body */
+    int32_t border;    /* unknowns of hubs */
+    TinkerHubEntry *hub_entries;
+    int32_t hub_entry_count;
+    TinkerHubMass *hub_masses; /* of each of these unknowns */
+    double *bordered;          /* working state: a right-hand side with them */
     TinkerProduct *products;
     gsize product_count;
     TinkerTurnEntry *turns; /* in the order of the rows */
@@ -182,7 +199,7 @@ typedef struct {
     double work;       /* J: what the last projection of positions gave, by the applied forces evaluated last */
     gboolean gave_way; /* a projection stopped short at a singular place; whoever reports it clears it */
     int32_t redundant; /* rows that depend on others at the start, with those that repeat one: told to users */
-    int32_t dependent; /* without those: where there are any, every solve is proximal */
+    int32_t dependent; /* without those */
     double shift;      /* of it: a share of the diagonal of S */
 
     /* working state */
