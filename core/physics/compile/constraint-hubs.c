@@ -26,18 +26,18 @@ gboolean tinker_constraints_find_hubs(TinkerModel *model)
     for (int32_t i = 0; i < model->bodies; i++) {
         const int32_t entries = entries_in_matrix(all, i);
         if (entries < ENTRIES_OF_A_HUB) continue;
-        if (all->hubs == NULL) all->hubs = ALLOT(model, int32_t, model->bodies);
-        if (model->lacks_memory) return FALSE;
+        if (all->hubs == NULL) all->hubs = g_try_new0(int32_t, model->bodies);
+        if (all->hubs == NULL) return FALSE;
         all->hubs[i] = all->rows + all->border;
         all->border += tinker_model_turn_of(model, i) < 0 ? 2 : 3;
         all->hub_entry_count += 3 * entries;
     }
     if (all->border == 0) return TRUE;
-    all->hub_entries = ALLOT(model, TinkerHubEntry, all->hub_entry_count);
-    all->hub_masses = ALLOT(model, TinkerHubMass, all->border);
-    all->bordered = ALLOT(model, double, all->rows + all->border);
+    all->hub_entries = g_try_new0(TinkerHubEntry, all->hub_entry_count);
+    all->hub_masses = g_try_new0(TinkerHubMass, all->border);
+    all->bordered = g_try_new0(double, all->rows + all->border);
     all->hub_entry_count = 0;
-    return !model->lacks_memory;
+    return all->hub_entries != NULL && all->hub_masses != NULL && all->bordered != NULL;
 }
 
 static void add_entry(TinkerConstraints *all, int32_t row, int32_t unknown, int32_t entry)
