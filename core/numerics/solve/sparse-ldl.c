@@ -294,6 +294,16 @@ gsize tinker_sparse_ldl_fill(const TinkerSparseLdl *ldl)
     return (gsize)(ldl->is_forest ? ldl->n : ldl->starts[ldl->n]);
 }
 
+gsize tinker_sparse_ldl_updates(const TinkerSparseLdl *ldl)
+{
+    gsize updates = 0;
+    for (int k = 0; !ldl->is_forest && k < ldl->n; k++) {
+        const gsize length = (gsize)(ldl->starts[k + 1] - ldl->starts[k]);
+        updates += length * (length + 1) / 2;
+    }
+    return ldl->is_forest ? (gsize)ldl->n : updates;
+}
+
 void tinker_sparse_ldl_clear(TinkerSparseLdl *ldl)
 {
     memset(ldl->values, 0, ((gsize)ldl->n + tinker_sparse_ldl_fill(ldl)) * sizeof(double));

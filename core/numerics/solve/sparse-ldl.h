@@ -49,6 +49,9 @@ void tinker_sparse_ldl_left_out(const TinkerSparseLdl *ldl, double *products);
 /* Solves with the last factor, in place. */
 void tinker_sparse_ldl_solve(TinkerSparseLdl *ldl, double *b);
 
+/* Products that a factorisation takes off. */
+gsize tinker_sparse_ldl_updates(const TinkerSparseLdl *ldl);
+
 /* Entries of L below the diagonal that are kept. */
 gsize tinker_sparse_ldl_fill(const TinkerSparseLdl *ldl);
 

@@ -330,6 +330,7 @@ static void reach_soft_motions(TinkerModel *model)
     g_autofree double *motion = g_new(double, n), *found = g_new(double, model->constraints.rows);
     move_every_way(n, motion);
     choose_shift(model, missed_motion, motion, found);
+    model->constraints.rounds = model->constraints.rounds_taken;
 }
 
 /* Brings the start velocities to the rows. They meet what is prescribed, of drives and of supports that move, unless

@@ -55,6 +55,7 @@ static double solve_proximally(TinkerModel *model, double *b)
     for (int iteration = 0; iteration < MOST_PROXIMAL_ITERATIONS; iteration++) {
         if (!(left > 1e-15 * scale) || !(left < 0.5 * before)) break;
         before = left;
+        all->rounds_taken = iteration + 1;
         tinker_constraints_substitute(all, r);
         for (int32_t row = 0; row < all->rows; row++)
             x[row] += r[row];

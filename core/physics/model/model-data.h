@@ -201,6 +201,7 @@ typedef struct {
     int32_t redundant; /* rows that depend on others at the start, with those that repeat one: told to users */
     int32_t dependent; /* without those */
     double shift;      /* of it: a share of the diagonal of S */
+    int32_t rounds;    /* that a proximal solve takes, by one for any motion at the start; 0: none is */
 
     /* working state */
     TinkerPoint *ends; /* gathered, of the largest batch */
@@ -212,6 +213,7 @@ typedef struct {
     double *by_point;        /* 2 per point */
     double *turned;          /* RATTLE: the Jacobian at the start of the step */
     double *displacement;    /* of a Newton step: 2 per body */
+    int32_t rounds_taken;    /* by the last proximal solve */
     gboolean shifted;        /* the factor is of S + eps I: solve by proximal iteration */
     gboolean prescribed;     /* some row's dg/dt of what is prescribed is not 0 */
     gboolean factored;       /* there is a factor, ... */
