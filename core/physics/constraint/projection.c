@@ -224,10 +224,11 @@ static TinkerStatus find_misses(TinkerModel *model, gboolean gaps, const double 
     return tinker_constraints_find_gaps(model);
 }
 
-/* Whether a Newton step made worse what was nearly met before. */
-static gboolean gets_worse(const TinkerModel *model, double before)
+/* Whether a Newton step hardly reduced what was nearly met before, and is not rounding. */
+static gboolean stalls(const TinkerModel *model, double before)
 {
-    return before < TINKER_SINGULAR_MISS && !(tinker_constraints_worst_miss(model) < before) && !all_met(model);
+    const double miss = tinker_constraints_worst_miss(model);
+    return before < TINKER_SINGULAR_MISS && miss > TINKER_STALLED_MISS && !(miss < 0.5 * before) && !all_met(model);
 }
 
 static void move_within_step(const TinkerModel *model, double h, double sign, double *restrict q, double *restrict v)
@@ -271,8 +272,8 @@ TinkerStatus tinker_constraints_rattle(TinkerModel *model, double t_from, const 
     if (status != TINKER_OK) return status;
     for (int step = 0; step < 2 * MOST_NEWTON_STEPS; step++) {
         status = find_misses(model, gaps, q, v);
-        if (status == TINKER_OK && gets_worse(model, before)) {
-            move_within_step(model, h, -1, q, v);
+        if (status == TINKER_OK && stalls(model, before)) {
+            if (!(tinker_constraints_worst_miss(model) < before)) move_within_step(model, h, -1, q, v);
             return rattle_across(model, h, q, v);
         }
         if (!wants_step(model, FALSE, &before, &status)) return status;
