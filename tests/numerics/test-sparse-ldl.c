@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "numerics/solve/lapack.h"
 #include "numerics/solve/sparse-ldl.h"
 #include "numerics/solve/sparse-ldu.h"
 
@@ -286,6 +287,77 @@ static void test_rank(void)
             count_dependent(random, rows, dependent);
 }
 
+/* (A C; C^T -B) with A = J J^T of which `deficient` rows of J are sums of two others, B diagonal, and C of chance: with
+ * A shifted it is solved as dense elimination does; without, as many pivots vanish, and what they leave in the border
+ * has the rank of as many of them as the border has room for. */
+static void try_border(GRand *random, int rows, int deficient, int border)
+{
+    enum { WIDTH = 24 };
+    const int n = rows + border;
+    const double shift = 1e-3;
+    g_autofree double *j = g_new0(double, rows *WIDTH + 1), *b = g_new0(double, n), *truth = g_new0(double, n);
+    Problem problem;
+    problem_init(&problem, n);
+    for (int r = 0; r < rows; r++)
+        for (int c = 0; c < WIDTH; c++)
+            j[r * WIDTH + c] = r >= rows - deficient ? j[(r - rows + deficient) * WIDTH + c] + j[WIDTH + c]
+                               : c == r              ? 4
+                                                     : 0;
+    for (int r = 0; r < n; r++)
+        for (int s = 0; s < MIN(r, rows); s++)
+            add_pair(&problem, r, s);
+    TinkerSparseLdl *ldl =
+        tinker_sparse_ldl_new_bordered(n, border, (const int *)(const void *)problem.rows->data,
+                                       (const int *)(const void *)problem.columns->data, problem.rows->len);
+    g_assert_nonnull(ldl);
+    for (int pass = 0; pass < 2; pass++) {
+        g_autoptr(GRand) entries = g_rand_new_with_seed(17);
+        tinker_sparse_ldl_clear(ldl);
+        memset(problem.dense, 0, (gsize)n * (gsize)n * sizeof(double));
+        for (int r = 0; r < rows; r++)
+            for (int s = 0; s <= r; s++) {
+                double sum = 0;
+                for (int c = 0; c < WIDTH; c++)
+                    sum += j[r * WIDTH + c] * j[s * WIDTH + c];
+                add(&problem, ldl, r, s, sum);
+            }
+        for (int h = rows; h < n; h++)
+            for (int r = 0; r <= rows; r++)
+                add(&problem, ldl, h, r < rows ? r : h, r < rows ? g_rand_double_range(entries, -3, 3) : -2 - h % 3);
+        if (pass == 1) {
+            g_autofree double *products = g_new0(double, border *border), *values = g_new0(double, border);
+            int rank = 0;
+            g_assert_cmpint(tinker_sparse_ldl_count_dependent(ldl, 1e-10, NULL), ==, deficient);
+            tinker_sparse_ldl_left_out(ldl, products);
+            g_assert_true(tinker_eigen_symmetric(border, products, values));
+            for (int k = 0; k < border; k++)
+                rank += values[k] > 1e-10;
+            g_assert_cmpint(rank, ==, MIN(deficient, border));
+            continue;
+        }
+        for (int i = 0; i < n; i++) {
+            b[i] = truth[i] = g_rand_double_range(random, -1, 1);
+            if (i < rows) problem.dense[i * n + i] += shift;
+        }
+        g_assert_true(tinker_sparse_ldl_factor(ldl, shift, 0));
+        tinker_sparse_ldl_solve(ldl, b);
+        g_assert_true(dense_solve(n, problem.dense, truth));
+        for (int i = 0; i < n; i++)
+            g_assert_cmpfloat(fabs(b[i] - truth[i]), <=, 1e-9 * (1 + fabs(truth[i])));
+    }
+    tinker_sparse_ldl_free(ldl);
+    problem_clear(&problem);
+}
+
+static void test_border(void)
+{
+    g_autoptr(GRand) random = g_rand_new_with_seed(23);
+    for (int rows = 8; rows < 20; rows++)
+        for (int deficient = 0; deficient < 5; deficient++)
+            for (int border = 1; border < 6; border++)
+                try_border(random, rows, deficient, border);
+}
+
 /* Nothing, one, and matrices that are not positive: no crash, and a refusal. */
 static void test_edges(void)
 {
@@ -321,6 +393,7 @@ int main(int argc, char **argv)
     g_test_add_func("/numerics/sparse-ldl/random-patterns", test_random_patterns);
     g_test_add_func("/numerics/sparse-ldl/shapes", test_shapes);
     g_test_add_func("/numerics/sparse-ldl/rank", test_rank);
+    g_test_add_func("/numerics/sparse-ldl/border", test_border);
     g_test_add_func("/numerics/sparse-ldl/edges", test_edges);
     g_test_add_func("/numerics/sparse-ldl/vanishing-pivot", test_vanishing_pivot);
     return g_test_run();

@@ -167,6 +167,37 @@ static void test_ring(void)
         physics_assert_near("x", physics_value(one, i, 0), physics_value(two, i, 0), 1e-9);
 }
 
+/* Operations an evaluation that are expected of a line of bars, each joint with a pin and this. */
+static double joined_by(const char *beside)
+{
+    g_autoptr(GString) blocks = g_string_new("{'type': 'gravity'}, {'type': 'support', 'solid': false}");
+    for (int i = 0; i < 60; i++)
+        g_string_append_printf(blocks, ", {'type': 'bar', 'position': [%g, 0]}", i + 0.5);
+    g_string_append(blocks, ", {'type': 'pin', 'ends': ['Support 0', {'block': 'Bar 0', 'at': [-0.5, 0]}]}");
+    for (int i = 1; i < 60; i++) {
+        const char *const types[] = {"'pin'", beside};
+        for (int k = 0; k < (beside != NULL ? 2 : 1); k++)
+            g_string_append_printf(blocks,
+                                   ", {'type': %s, 'ends': [{'block': 'Bar %d', 'at': [0.5, 0]},"
+                                   " {'block': 'Bar %d', 'at': [-0.5, 0]}]}",
+                                   types[k], i - 1, i);
+    }
+    TinkerRunOptions options = planned_options("rk4", 0.01, 1e-9, 1);
+    g_auto(Planned) planned = planned_new(blocks->str, &options);
+    g_assert_no_error(planned.error);
+    return planned_island(&planned, 0)->operations / planned_island(&planned, 0)->evaluations;
+}
+
+/* Two pins in one hole are solved as one is, along the chain. A slot beside a pin says nothing new, either, but its
+ * rows depend on the pin's together, which takes several rounds of a general factor. */
+static void test_dependent_rows(void)
+{
+    const double once = joined_by(NULL), twice = joined_by("'pin'"), slot = joined_by("'slot', 'angle': 1");
+    g_assert_cmpfloat(twice, >, once);
+    g_assert_cmpfloat(twice, <=, 2 * once);
+    g_assert_cmpfloat(slot, >, 3 * twice);
+}
+
 static void add_tests(void)
 {
     g_test_add_func("/physics/plan-choice/still-stiffness", test_still_stiffness);
@@ -177,6 +208,7 @@ static void add_tests(void)
     g_test_add_func("/physics/plan-choice/strong-damper", test_strong_damper);
     g_test_add_func("/physics/plan-choice/plugin-method", test_plugin_method);
     g_test_add_func("/physics/plan-choice/ring", test_ring);
+    g_test_add_func("/physics/plan-choice/dependent-rows", test_dependent_rows);
     g_test_add_func("/physics/plan-choice/smooth", test_smooth);
 }
 

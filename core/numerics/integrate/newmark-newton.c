@@ -97,6 +97,7 @@ static TinkerStatus solve(NewmarkStepper *self, double limit)
     tinker_symmetric_solver_solve(self->solver, r);
     if (!constrained) return TINKER_OK;
     status = system->project_velocity(system->context, limit, self->q, r, 1);
+    self->moving = norm(system, r);
     for (int32_t i = 0; i < n; i++)
         r[i] += self->along[i] / (1.0 - self->weights.mean_acceleration);
     return status;
@@ -125,9 +126,10 @@ static void descend(NewmarkStepper *self, double share)
 
 /* Where an iteration stands. */
 typedef struct {
-    double size;  /* of the correction at the best iterate; infinite: none yet */
-    double share; /* of that correction which is tried */
-    int sharp;    /* the matrix is that of the best iterate */
+    double size;   /* of the correction at the best iterate; infinite: none yet */
+    double moving; /* of what of it moves the end */
+    double share;  /* of that correction which is tried */
+    int sharp;     /* the matrix is that of the best iterate */
 } Progress;
 
 /* The correction at x, with a new matrix where there is none that serves. */
@@ -149,7 +151,7 @@ static void advance(NewmarkStepper *self, Progress *progress, double size, int s
     self->correction = self->descent;
     self->descent = correction;
     tinker_copy(self->system->size, self->x, self->base);
-    *progress = (Progress){size, 1.0, sharp};
+    *progress = (Progress){size, self->moving, 1.0, sharp};
     descend(self, 1.0);
 }
 
@@ -168,15 +170,30 @@ static int retreat(NewmarkStepper *self, Progress *progress)
     return progress->share > 1e-3;
 }
 
+/* Whether what moves the end got smaller though the whole did not: near a singular place rounding of places alone makes
+ * much of what the rows say of accelerations, which the end does not depend on. */
+static int only_forces_differ(const NewmarkStepper *self, const Progress *progress)
+{
+    return tinker_is_constrained(self->system) && isfinite(progress->size) &&
+           self->moving < TINKER_SLOW_NEWTON * progress->moving;
+}
+
 TinkerStatus newmark_find_acceleration(NewmarkStepper *self, const TinkerState *state, double h, double limit)
 {
-    Progress progress = {INFINITY, 1.0, 0};
+    Progress progress = {INFINITY, INFINITY, 1.0, 0};
+    int by_motion = 0;
     tinker_copy(self->system->size, self->a, self->x);
     for (int iteration = 0; iteration < NEWTON_CAP; iteration++) {
         int sharp = !self->factored;
         double size;
         TinkerStatus status = find_correction(self, state, h, limit, &size);
         int first = !isfinite(progress.size);
+        if (by_motion && status == TINKER_OK) size = self->moving;
+        if (status == TINKER_OK && !(size < progress.size) && only_forces_differ(self, &progress)) {
+            by_motion = 1;
+            progress.size = progress.moving;
+            size = self->moving;
+        }
         double gain = first ? 1.0 : size / progress.size, least = rounding(self, h);
         if (status != TINKER_OK || !(size < progress.size)) {
             /* what is left over may be rounding of large, balanced forces */

@@ -18,6 +18,7 @@ typedef struct NewmarkStepper {
     int linear;             /* one solve with one matrix is the solution */
     int carried;            /* `a` and `power_from` belong to the present state */
     double h;               /* of the last step; 0: none */
+    double moving;          /* of the correction found last, what moves the end: not along the rows of constraints */
     int factored;
     int32_t *diagonal; /* entries of the pattern */
     double *stiffness, *damping, *row_masses;

@@ -111,8 +111,19 @@ static gboolean peel(TinkerSparseLdl *ldl, const Neighbours *by)
             if (--degree[other] == 1) ldl->sequence[taken++] = other;
         }
     }
-    ldl->is_forest = taken == n;
+    ldl->is_forest = taken == n && ldl->border == 0;
     return TRUE;
+}
+
+/* The border goes behind all others. */
+static void put_border_last(const TinkerSparseLdl *ldl, int *sequence)
+{
+    const int inner = ldl->n - ldl->border;
+    int kept = 0;
+    for (int k = 0; k < ldl->n; k++)
+        if (sequence[k] < inner) sequence[kept++] = sequence[k];
+    for (int i = inner; i < ldl->n; i++)
+        sequence[i] = i;
 }
 
 /* FALSE: no memory. */
@@ -121,6 +132,7 @@ static gboolean order(TinkerSparseLdl *ldl, const Neighbours *by, int *sequence)
     const int result = amd_order(ldl->n, by->starts, by->entries, sequence, NULL, NULL);
     for (int i = 0; result < 0 && i < ldl->n; i++)
         sequence[i] = i;
+    if (ldl->border > 0) put_border_last(ldl, sequence);
     return result != AMD_OUT_OF_MEMORY;
 }
 
@@ -169,6 +181,8 @@ static gboolean allot_values(TinkerSparseLdl *ldl, gsize entries)
     ldl->values = g_try_new0(double, (gsize)ldl->n + entries + 1);
     ldl->diagonal = g_try_new0(double, MAX(ldl->n, 1));
     ldl->work = g_try_new0(double, MAX(ldl->n, 1));
+    ldl->left_out = g_try_new0(double, (gsize)ldl->border *(gsize)ldl->border + 1);
+    if (ldl->left_out == NULL) return FALSE;
     return ldl->values != NULL && ldl->diagonal != NULL && ldl->work != NULL;
 }
 
@@ -223,9 +237,15 @@ static gboolean compile_forest(TinkerSparseLdl *ldl)
 
 TinkerSparseLdl *tinker_sparse_ldl_new(int n, const int *rows, const int *columns, gsize count)
 {
+    return tinker_sparse_ldl_new_bordered(n, 0, rows, columns, count);
+}
+
+TinkerSparseLdl *tinker_sparse_ldl_new_bordered(int n, int border, const int *rows, const int *columns, gsize count)
+{
     TinkerSparseLdl *ldl = g_new0(TinkerSparseLdl, 1);
     Neighbours by = {NULL, NULL};
     ldl->n = n;
+    ldl->border = border;
     ldl->place = g_try_new0(int, MAX(n, 1));
     ldl->sequence = g_try_new0(int, MAX(n, 1));
     ldl->parents = g_try_new0(int, MAX(n, 1));
@@ -251,6 +271,7 @@ void tinker_sparse_ldl_free(TinkerSparseLdl *ldl)
     g_free(ldl->values);
     g_free(ldl->diagonal);
     g_free(ldl->work);
+    g_free(ldl->left_out);
     g_free(ldl->sequence);
     g_free(ldl->parents);
     g_free(ldl->parent_places);
@@ -271,6 +292,16 @@ double *tinker_sparse_ldl_values(TinkerSparseLdl *ldl)
 gsize tinker_sparse_ldl_fill(const TinkerSparseLdl *ldl)
 {
     return (gsize)(ldl->is_forest ? ldl->n : ldl->starts[ldl->n]);
+}
+
+gsize tinker_sparse_ldl_updates(const TinkerSparseLdl *ldl)
+{
+    gsize updates = 0;
+    for (int k = 0; !ldl->is_forest && k < ldl->n; k++) {
+        const gsize length = (gsize)(ldl->starts[k + 1] - ldl->starts[k]);
+        updates += length * (length + 1) / 2;
+    }
+    return ldl->is_forest ? (gsize)ldl->n : updates;
 }
 
 void tinker_sparse_ldl_clear(TinkerSparseLdl *ldl)
@@ -303,34 +334,58 @@ static inline const int *eliminate(TinkerSparseLdl *ldl, int k, double inverse, 
 gboolean tinker_sparse_ldl_factor(TinkerSparseLdl *ldl, double shift, double threshold)
 {
     double *values = ldl->values, *least = ldl->work;
-    const int *update = ldl->updates;
-    for (int k = 0; k < ldl->n; k++) {
+    const int *update = ldl->updates, inner = ldl->n - ldl->border;
+    for (int k = 0; k < inner; k++) {
         values[k] += shift;
         least[k] = threshold * values[k];
     }
-    for (int k = 0; k < ldl->n; k++) {
+    for (int k = 0; k < inner; k++) {
         if (!(values[k] > least[k])) return FALSE;
         update = eliminate(ldl, k, 1.0 / values[k], update);
     }
+    for (int k = inner; k < ldl->n; k++) {
+        if (!(values[k] < 0)) return FALSE;
+        update = eliminate(ldl, k, 1.0 / values[k], update);
+    }
     return TRUE;
+}
+
+/* What column k has in the border. */
+static void add_left_out(TinkerSparseLdl *ldl, int k)
+{
+    const double *column = ldl->values + ldl->n + ldl->starts[k];
+    const int *rows = ldl->rows + ldl->starts[k], length = ldl->starts[k + 1] - ldl->starts[k];
+    const int inner = ldl->n - ldl->border;
+    for (int p = 0; p < length; p++)
+        for (int q = 0; rows[p] >= inner && q < length; q++)
+            if (rows[q] >= inner)
+                ldl->left_out[(rows[p] - inner) + (rows[q] - inner) * ldl->border] += column[p] * column[q];
 }
 
 int tinker_sparse_ldl_count_dependent(TinkerSparseLdl *ldl, double threshold, char *dependent)
 {
     double *values = ldl->values, *least = ldl->work;
     const int *update = ldl->updates;
+    const int inner = ldl->n - ldl->border;
     int count = 0;
-    for (int k = 0; k < ldl->n; k++)
+    memset(ldl->left_out, 0, (gsize)ldl->border * (gsize)ldl->border * sizeof(double));
+    for (int k = 0; k < inner; k++)
         least[k] = threshold * values[k];
-    for (int k = 0; k < ldl->n; k++) {
+    for (int k = 0; k < inner; k++) {
         gboolean vanishes = !(values[k] > least[k]);
         count += vanishes;
         least[k] = vanishes;
+        if (vanishes && ldl->border > 0) add_left_out(ldl, k);
         update = eliminate(ldl, k, vanishes ? 0.0 : 1.0 / values[k], update);
     }
     for (int i = 0; i < ldl->n; i++)
-        if (dependent != NULL) dependent[i] = least[ldl->place[i]] != 0;
+        if (dependent != NULL) dependent[i] = ldl->place[i] < inner && least[ldl->place[i]] != 0;
     return count;
+}
+
+void tinker_sparse_ldl_left_out(const TinkerSparseLdl *ldl, double *products)
+{
+    memcpy(products, ldl->left_out, (gsize)ldl->border * (gsize)ldl->border * sizeof(double));
 }
 
 /* A root is its own parent with the factor 0, so that no branch has to tell it apart. */

@@ -283,7 +283,10 @@ void tinker_constraints_clear(TinkerConstraints *all)
                          all->unilateral,     all->slack,
                          all->diagonal,       all->own_g,
                          all->own_drift,      all->own_rate,
-                         all->own_jacobian,   all->idle};
+                         all->own_jacobian,   all->idle,
+                         all->hubs,           all->hub_entries,
+                         all->hub_masses,     all->bordered,
+                         all->repeated,       all->repeats};
     for (gsize i = 0; i < G_N_ELEMENTS(arrays); i++)
         g_free(arrays[i]);
 }

@@ -14,6 +14,12 @@ gboolean tinker_constraints_lack_memory(const TinkerModel *model, GError **error
  * place the scene's extent. */
 void tinker_constraints_find_scales(TinkerModel *model);
 
+/* Bodies that S leaves out: which they are, where all entries by body are listed; what the rows have on them; and,
+ * where the pattern is compiled, where that stands. FALSE: there is no memory. */
+gboolean tinker_constraints_find_hubs(TinkerModel *model);
+void tinker_constraints_list_hubs(TinkerModel *model);
+void tinker_constraints_place_hubs(TinkerModel *model);
+
 /* Lists what each body has of the Jacobian, and where every product falls. FALSE where there is no memory for it. */
 gboolean tinker_constraints_compile_pattern(TinkerModel *model, GError **error);
 

@@ -288,7 +288,7 @@ static double choose_shift(TinkerModel *model, Missed missed_of, const double *g
 {
     TinkerConstraints *all = &model->constraints;
     double least = missed_of(model, given, found), best = all->shift;
-    if (all->redundant == 0) return least;
+    if (!tinker_constraints_are_proximal(all)) return least;
     while (least > TINKER_MET && all->shift * TINKER_SHIFT_STEP >= TINKER_LEAST_SHIFT) {
         take_shift(all, all->shift * TINKER_SHIFT_STEP);
         const double missed = missed_of(model, given, found);
@@ -298,6 +298,39 @@ static double choose_shift(TinkerModel *model, Missed missed_of, const double *g
     }
     take_shift(all, best);
     return missed_of(model, given, found);
+}
+
+/* Of any motion: what the rows ask for where bodies move every way at once, which they can answer. The softest motions
+ * of long chains take part in that, though what acts at the start need not ask for them. */
+static double missed_motion(TinkerModel *model, const double *motion, double *found)
+{
+    TinkerConstraints *all = &model->constraints;
+    memset(all->by_point, 0, 2 * (gsize)model->points * sizeof(double));
+    memcpy(all->by_point, motion, (gsize)model->coordinates * sizeof(double));
+    tinker_constraints_rows_times(all, all->by_point, found);
+    const double asked = tinker_largest(all->rows, found);
+    const double missed = tinker_constraints_solve(model, found);
+    return missed > 0 ? missed / asked : 0;
+}
+
+/* Shares of -1 to 1 that neither repeat nor grow along the coordinates: multiples of the golden ratio, without what is
+ * whole. */
+static void move_every_way(gsize count, double *motion)
+{
+    for (gsize i = 0; i < count; i++) {
+        const double multiple = (double)(i + 1) * 0.5 * (sqrt(5) - 1);
+        motion[i] = 2 * (multiple - floor(multiple)) - 1;
+    }
+}
+
+static void reach_soft_motions(TinkerModel *model)
+{
+    const gsize n = (gsize)MAX(model->coordinates, 1);
+    if (!tinker_constraints_are_proximal(&model->constraints)) return;
+    g_autofree double *motion = g_new(double, n), *found = g_new(double, model->constraints.rows);
+    move_every_way(n, motion);
+    choose_shift(model, missed_motion, motion, found);
+    model->constraints.rounds = model->constraints.rounds_taken;
 }
 
 /* Brings the start velocities to the rows. They meet what is prescribed, of drives and of supports that move, unless
@@ -331,8 +364,10 @@ static gboolean check_accelerations(TinkerModel *model, GError **error)
     tinker_model_set_state(model, model->q_start, model->v_start);
     if (tinker_model_applied(model, applied, FALSE) != TINKER_OK || tinker_constraints_evaluate(model) != TINKER_OK)
         return run_error(model, TINKER_MODEL_ERROR_RUN, error);
-    if (choose_shift(model, missed_acceleration, applied, a) <= TINKER_START_MISS) return TRUE;
-    return refuse_contradiction(model, a, error);
+    if (choose_shift(model, missed_acceleration, applied, a) > TINKER_START_MISS)
+        return refuse_contradiction(model, a, error);
+    reach_soft_motions(model);
+    return TRUE;
 }
 
 /* Rows that hold in one direction only are slack until a run asks which of them are not, but for what is `stretched`:

@@ -2,6 +2,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "numerics/solve/lapack.h"
 #include "numerics/solve/rank.h"
 #include "physics/constraint/constraints-private.h"
 #include "physics/constraint/tolerances.h"
@@ -30,6 +31,12 @@ static void assemble(TinkerConstraints *all)
         if (all->slack[row]) values[all->diagonal[row]] = 1.0;
     for (int32_t i = 0; i < all->idle_count; i++)
         if (values[all->idle[i].slot] == 0) values[all->idle[i].slot] = 1.0;
+    for (int32_t i = 0; i < all->repeated_count; i++)
+        values[all->repeated[i].slot] = 1.0;
+    for (int32_t k = 0; k < all->hub_entry_count; k++)
+        values[all->hub_entries[k].slot] += j[all->hub_entries[k].entry];
+    for (int32_t k = 0; k < all->border; k++)
+        values[all->hub_masses[k].slot] = -all->hub_masses[k].mass;
 }
 
 static double mean_diagonal(const TinkerConstraints *all)
@@ -46,7 +53,11 @@ static double mean_diagonal(const TinkerConstraints *all)
         const TinkerProduct *p = &all->turn_products[i];
         if (p->first_entry == p->second_entry) sum += p->inverse_mass * j[p->first_entry] * j[p->first_entry];
     }
-    return sum / all->rows;
+    for (int32_t k = 0; k < all->hub_entry_count; k++) {
+        const TinkerHubEntry *of = &all->hub_entries[k];
+        sum += j[of->entry] * j[of->entry] / all->hub_masses[of->unknown - all->rows].mass;
+    }
+    return sum / (all->rows - all->repeated_count);
 }
 
 gboolean tinker_constraints_are_factored(const TinkerConstraints *all)
@@ -58,8 +69,9 @@ gboolean tinker_constraints_are_factored(const TinkerConstraints *all)
 
 /* Masses may differ so much that one shift for all rows drowns those of the heavy ones. Then every row is shifted by a
  * share of its own diagonal: the solution is the same motion, of least norm with the multipliers weighed by that.
- * Answers what is left to be added to all of them, which is no more than the least row's share. */
-static double shift_rows(TinkerConstraints *all)
+ * Answers what is left to be added to all of them, which is no more than the least row's share; `evenly`: no row was
+ * shifted by itself. */
+static double shift_rows(TinkerConstraints *all, gboolean *evenly)
 {
     double *values = tinker_sparse_ldl_values(all->ldl), least = INFINITY, greatest = 0;
     const TinkerProduct *products = all->products;
@@ -68,7 +80,8 @@ static double shift_rows(TinkerConstraints *all)
         least = MIN(least, values[products[i].slot]);
         greatest = MAX(greatest, values[products[i].slot]);
     }
-    if (!(greatest > TINKER_EVEN_ROWS * least)) return all->shift * mean_diagonal(all);
+    *evenly = !(greatest > TINKER_EVEN_ROWS * least);
+    if (*evenly) return all->shift * mean_diagonal(all);
     int32_t last = -1;
     for (gsize i = 0; i < all->product_count; i++) {
         if (products[i].first_entry != products[i].second_entry || products[i].slot == last) continue;
@@ -78,13 +91,33 @@ static double shift_rows(TinkerConstraints *all)
     return all->shift * least;
 }
 
+/* Of a row that others repeat only its share of what all of them would be shifted by: the norm of the multipliers is
+ * that of all of them. */
+static void share_shift(TinkerConstraints *all, double shift, gboolean evenly)
+{
+    double *values = tinker_sparse_ldl_values(all->ldl);
+    int32_t last = -1;
+    for (int32_t i = 0; i < all->repeated_count; i++) {
+        const TinkerRepeatedRow *of = &all->repeated[i];
+        if (of->first == last) continue;
+        last = of->first;
+        if (evenly)
+            values[of->first_slot] -= shift * (1 - 1.0 / of->copies);
+        else
+            values[of->first_slot] *= (1 + all->shift / of->copies) / (1 + all->shift);
+    }
+}
+
 void tinker_constraints_factor_shifted(TinkerConstraints *all)
 {
     assemble(all);
-    double shift = shift_rows(all);
-    all->shifted = TRUE;
+    gboolean evenly;
+    double shift = shift_rows(all, &evenly);
     /* Rows between supports alone have no diagonal at all: the shift stands for all of it. */
-    tinker_sparse_ldl_factor(all->ldl, shift > 0 ? shift : 1.0, 0.0);
+    if (!(shift > 0)) shift = 1.0;
+    share_shift(all, shift, evenly);
+    all->shifted = TRUE;
+    tinker_sparse_ldl_factor(all->ldl, shift, 0.0);
 }
 
 gboolean tinker_constraints_factor_and_solve(TinkerConstraints *all, double *b)
@@ -93,7 +126,7 @@ gboolean tinker_constraints_factor_and_solve(TinkerConstraints *all, double *b)
     all->factored = TRUE;
     all->shifted = FALSE;
     all->keeps_factored = TRUE;
-    if (all->redundant == 0) {
+    if (!tinker_constraints_are_proximal(all)) {
         memcpy(all->residual, b, bytes);
         assemble(all);
         if (tinker_sparse_ldl_factor_and_solve(all->ldl, TINKER_DEPENDENT, b)) return TRUE;
@@ -103,10 +136,39 @@ gboolean tinker_constraints_factor_and_solve(TinkerConstraints *all, double *b)
     return FALSE;
 }
 
+void tinker_constraints_substitute(TinkerConstraints *all, double *b)
+{
+    if (all->border == 0) {
+        tinker_sparse_ldl_solve(all->ldl, b);
+        return;
+    }
+    const gsize bytes = (gsize)all->rows * sizeof(double);
+    memcpy(all->bordered, b, bytes);
+    memset(all->bordered + all->rows, 0, (gsize)all->border * sizeof(double));
+    tinker_sparse_ldl_solve(all->ldl, all->bordered);
+    memcpy(b, all->bordered, bytes);
+}
+
+/* How many of the rows that are dependent without their hubs are not with them: of what they have there, the rank. */
+static int32_t rank_on_hubs(const TinkerConstraints *all)
+{
+    const gsize n = (gsize)all->border;
+    g_autofree double *products = g_new0(double, n *n), *values = g_new0(double, n);
+    int32_t rank = 0;
+    tinker_sparse_ldl_left_out(all->ldl, products);
+    for (gsize i = 0; i < n * n; i++)
+        products[i] /= sqrt(all->hub_masses[i / n].mass * all->hub_masses[i % n].mass);
+    if (!tinker_eigen_symmetric((int32_t)n, products, values)) return 0;
+    for (gsize i = 0; i < n; i++)
+        rank += values[i] > TINKER_DEPENDENT * values[n - 1];
+    return rank;
+}
+
 int32_t tinker_constraints_count_dependent(TinkerModel *model)
 {
     TinkerConstraints *all = &model->constraints;
     assemble(all);
     all->factored = all->keeps_factored = FALSE;
-    return tinker_sparse_ldl_count_dependent(all->ldl, TINKER_DEPENDENT, NULL);
+    const int32_t count = tinker_sparse_ldl_count_dependent(all->ldl, TINKER_DEPENDENT, NULL);
+    return count == 0 || all->border == 0 ? count : count - rank_on_hubs(all);
 }

@@ -12,6 +12,9 @@ gboolean tinker_constraints_are_factored(const TinkerConstraints *all);
  * to be shifted. */
 gboolean tinker_constraints_factor_and_solve(TinkerConstraints *all, double *b);
 
+/* Solves with the factor at hand, in place of b. */
+void tinker_constraints_substitute(TinkerConstraints *all, double *b);
+
 /* Factors S + eps I of the rows evaluated last. */
 void tinker_constraints_factor_shifted(TinkerConstraints *all);
 

@@ -17,6 +17,7 @@
 #include "numerics/solve/rank.h"
 #include "physics/constraint/constraints-private.h"
 #include "physics/constraint/pin-chains.h"
+#include "physics/constraint/repeated-rows.h"
 #include "physics/constraint/row-chains.h"
 #include "physics/constraint/tolerances.h"
 
@@ -54,14 +55,15 @@ static double solve_proximally(TinkerModel *model, double *b)
     for (int iteration = 0; iteration < MOST_PROXIMAL_ITERATIONS; iteration++) {
         if (!(left > 1e-15 * scale) || !(left < 0.5 * before)) break;
         before = left;
-        tinker_sparse_ldl_solve(all->ldl, r);
+        all->rounds_taken = iteration + 1;
+        tinker_constraints_substitute(all, r);
         for (int32_t row = 0; row < all->rows; row++)
             x[row] += r[row];
         memset(all->by_point, 0, 2 * (gsize)model->points * sizeof(double));
         tinker_constraints_add_impulse(model, x, all->by_point);
         tinker_constraints_rows_times(all, all->by_point, r);
         for (int32_t row = 0; row < all->rows; row++)
-            r[row] = b[row] - r[row];
+            r[row] = tinker_row_repeats(all, row) ? 0 : b[row] - r[row];
         left = tinker_largest(all->rows, r);
     }
     memcpy(b, x, (gsize)all->rows * sizeof(double));
@@ -88,6 +90,16 @@ static void finish_chains(TinkerConstraints *all, double *x, double *target, gbo
         tinker_row_chains_finish(all->chains, all->jacobian, x, target, fresh);
     else
         tinker_pin_chains_finish(all->pin_chains, x, target, fresh);
+    tinker_repeated_rows_spread(all, x);
+}
+
+/* What all rows ask for as the first ones of those that repeat them are to: itself where none does, else in lambda. */
+static const double *fold(TinkerConstraints *all, const double *extra)
+{
+    if (all->repeated_count == 0) return extra;
+    memcpy(all->lambda, extra, (gsize)all->rows * sizeof(double));
+    tinker_repeated_rows_fold(all, all->lambda);
+    return all->lambda;
 }
 
 /* Where the rows are chains without dependent ones, solves for a demand up to the last pass, with the factor of the
@@ -95,7 +107,7 @@ static void finish_chains(TinkerConstraints *all, double *x, double *target, gbo
  * turned out to depend on each other here. */
 static gboolean solve_chains(TinkerConstraints *all, const TinkerRowDemand *demand, gboolean roughly)
 {
-    if ((all->chains == NULL && all->pin_chains == NULL) || all->redundant > 0) return FALSE;
+    if ((all->chains == NULL && all->pin_chains == NULL) || tinker_constraints_are_proximal(all)) return FALSE;
     const gboolean any = roughly && all->factored && !all->shifted,
                    of_factor = !any && tinker_constraints_are_factored(all);
     if (any || of_factor) {
@@ -148,7 +160,8 @@ void tinker_constraints_end_look(TinkerModel *model)
     model->turned = TRUE;
 }
 
-double tinker_constraints_solve(TinkerModel *model, double *b)
+/* Without the rows that repeat others, for which b is 0. */
+static double solve_first(TinkerModel *model, double *b)
 {
     TinkerConstraints *all = &model->constraints;
     if (solve_chains(all, &(TinkerRowDemand){.extra = b, .sign = 1}, FALSE)) {
@@ -157,24 +170,35 @@ double tinker_constraints_solve(TinkerModel *model, double *b)
     }
     if (!tinker_constraints_are_factored(all) && tinker_constraints_factor_and_solve(all, b)) return 0;
     if (all->shifted) return solve_proximally(model, b);
-    tinker_sparse_ldl_solve(all->ldl, b);
+    tinker_constraints_substitute(all, b);
     return 0;
+}
+
+double tinker_constraints_solve(TinkerModel *model, double *b)
+{
+    const double disagreement = tinker_repeated_rows_fold(&model->constraints, b);
+    const double left = solve_first(model, b);
+    tinker_repeated_rows_spread(&model->constraints, b);
+    return MAX(left, disagreement);
 }
 
 void tinker_constraints_newton_step(TinkerModel *model, gboolean roughly)
 {
     TinkerConstraints *all = &model->constraints;
     double *displacement = all->displacement; /* 0 on bodies without rows */
-    if (solve_chains(all, &(TinkerRowDemand){.extra = all->g, .sign = -1}, roughly)) {
+    if (solve_chains(all, &(TinkerRowDemand){.extra = fold(all, all->g), .sign = -1}, roughly)) {
         finish_chains(all, all->lambda, displacement, TRUE);
         return;
     }
     for (int32_t row = 0; row < all->rows; row++)
         all->lambda[row] = -all->g[row];
-    if (!roughly || !all->factored || all->shifted)
+    if (!roughly || !all->factored || all->shifted) {
         tinker_constraints_solve(model, all->lambda);
-    else
-        tinker_sparse_ldl_solve(all->ldl, all->lambda);
+    } else {
+        tinker_repeated_rows_fold(all, all->lambda);
+        tinker_constraints_substitute(all, all->lambda);
+        tinker_repeated_rows_spread(all, all->lambda);
+    }
     memset(displacement, 0, (gsize)model->coordinates * sizeof(double));
     tinker_constraints_add_impulse(model, all->lambda, displacement);
 }
@@ -182,7 +206,7 @@ void tinker_constraints_newton_step(TinkerModel *model, gboolean roughly)
 void tinker_constraints_change_speeds(TinkerModel *model, const double *asked, double *v)
 {
     TinkerConstraints *all = &model->constraints;
-    if (solve_chains(all, &(TinkerRowDemand){.extra = asked, .sign = 1}, FALSE)) {
+    if (solve_chains(all, &(TinkerRowDemand){.extra = fold(all, asked), .sign = 1}, FALSE)) {
         finish_chains(all, all->lambda, v, FALSE);
         return;
     }
@@ -221,7 +245,7 @@ double tinker_constraints_accelerate(TinkerModel *model, double *a)
     TinkerConstraints *all = &model->constraints;
     double *by_point = model->point_acceleration;
     memcpy(by_point, a, (gsize)model->coordinates * sizeof(double));
-    if (solve_chains(all, &(TinkerRowDemand){by_point, 2, all->drift, -1}, FALSE)) {
+    if (solve_chains(all, &(TinkerRowDemand){by_point, 2, fold(all, all->drift), -1}, FALSE)) {
         finish_chains(all, all->lambda, a, FALSE);
         return 0;
     }

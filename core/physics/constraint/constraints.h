@@ -74,6 +74,13 @@ double tinker_constraints_own_drift(const TinkerModel *model, int32_t row);
 /* Keeps what the rows are as their own, and takes the slack ones out. Called by tinker_constraints_evaluate. */
 void tinker_constraints_hide_slack(TinkerConstraints *constraints);
 
+/* Whether every solve is proximal (constraints.c): where rows depend on others at the start, other than that they
+ * repeat one, and where they could without their hubs, which the factor is of. */
+static inline gboolean tinker_constraints_are_proximal(const TinkerConstraints *all)
+{
+    return all->dependent > 0 || all->border > 0;
+}
+
 /* The first entry of a row in `turns`; of the row behind the last one, their end. */
 static inline int32_t tinker_row_turns(const TinkerConstraints *all, int32_t row)
 {

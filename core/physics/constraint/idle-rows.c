@@ -34,9 +34,19 @@ gboolean tinker_constraints_is_idle(const TinkerConstraints *all, int32_t row)
     return FALSE;
 }
 
+static int32_t count_repeated(const TinkerConstraints *all)
+{
+    int32_t count = 0;
+    for (int32_t i = 0; i < all->repeated_count; i++)
+        count += !tinker_constraints_is_idle(all, all->repeated[i].row);
+    return count;
+}
+
 void tinker_constraints_find_redundant(TinkerModel *model)
 {
     TinkerConstraints *all = &model->constraints;
     find_idle_rows(all);
-    all->redundant = MAX(tinker_constraints_count_dependent(model), all->fitted);
+    const int32_t dependent = tinker_constraints_count_dependent(model);
+    all->dependent = MAX(dependent, all->fitted);
+    all->redundant = MAX(dependent + count_repeated(all), all->fitted);
 }

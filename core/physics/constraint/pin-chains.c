@@ -9,6 +9,7 @@
  * Tested through bars in tests/physics/test-mechanisms.c, against the general factorisation. */
 #include "physics/constraint/pin-chains.h"
 #include "physics/constraint/constraints.h"
+#include "physics/constraint/repeated-rows.h"
 
 #include <string.h>
 
@@ -74,6 +75,7 @@ static gboolean list_ends(const TinkerModel *model, Ends *ends)
             const int32_t *own = all->points + all->row_starts[row];
             const int32_t point = ends->points[row + k] = own[k];
             if (own[0] == own[1]) return FALSE;
+            if (tinker_row_repeats(all, row)) continue;
             if (point < model->bodies && !note(&ends->first[point], &ends->second[point], row + k)) return FALSE;
         }
     return TRUE;
@@ -126,6 +128,8 @@ static TinkerPinChains *chains_of(const TinkerModel *model, const Ends *ends)
     self->places = g_new0(Place, blocks);
     self->solved = g_new0(Solved, blocks);
     g_autofree gboolean *seen = g_new0(gboolean, blocks);
+    for (int32_t i = 0; i < model->constraints.repeated_count; i++)
+        seen[model->constraints.repeated[i].row / ROWS] = TRUE;
     for (int32_t end = 0; end < 2 * ends->count; end++)
         if (!seen[end / 2] && neighbour(model, ends, end) < 0) follow(self, model, ends, end, seen);
     gboolean ring = FALSE; /* has no end to follow it from */

@@ -224,6 +224,38 @@ static TinkerStatus find_misses(TinkerModel *model, gboolean gaps, const double 
     return tinker_constraints_find_gaps(model);
 }
 
+/* Whether a Newton step hardly reduced what was nearly met before, and is not rounding. */
+static gboolean stalls(const TinkerModel *model, double before)
+{
+    const double miss = tinker_constraints_worst_miss(model);
+    return before < TINKER_SINGULAR_MISS && miss > TINKER_STALLED_MISS && !(miss < 0.5 * before) && !all_met(model);
+}
+
+static void move_within_step(const TinkerModel *model, double h, double sign, double *restrict q, double *restrict v)
+{
+    const double *restrict move = model->constraints.displacement;
+    for (int32_t i = 0; i < model->coordinates; i++) {
+        q[i] += sign * move[i];
+        v[i] += sign * move[i] / h;
+    }
+}
+
+/* Across a singular place the matrix of the old place says the reverse of what rows do at the new one along what they
+ * hardly determine: there each step would enlarge what is rounding. What is left then, the others being met, is taken
+ * along the rows of the new place. */
+static TinkerStatus rattle_across(TinkerModel *model, double h, double *q, double *v)
+{
+    double before = INFINITY;
+    TinkerStatus status = TINKER_OK;
+    for (int step = 0; step < MOST_NEWTON_STEPS; step++) {
+        status = evaluate_at(model, q, v);
+        if (!wants_step(model, FALSE, &before, &status)) return status;
+        tinker_constraints_newton_step(model, FALSE);
+        move_within_step(model, h, 1, q, v);
+    }
+    return stop_short(model);
+}
+
 /* Newton steps with the matrix of the old place: the direction J(q_from)^T is what makes the method symmetric, and the
  * matrix differs from the exact one by the turning of a step. */
 TinkerStatus tinker_constraints_rattle(TinkerModel *model, double t_from, const double *q_from, double t, double h,
@@ -235,19 +267,19 @@ TinkerStatus tinker_constraints_rattle(TinkerModel *model, double t_from, const 
     if (status == TINKER_OK) status = find_directions(model, gaps, q_from, v);
     if (status != TINKER_OK) return status;
     if (!gaps) memcpy(all->turned, all->jacobian, all->jacobian_size * sizeof(double));
-    double *displacement = all->displacement;
     double before = INFINITY;
     status = tinker_model_set_time(model, t);
     if (status != TINKER_OK) return status;
     for (int step = 0; step < 2 * MOST_NEWTON_STEPS; step++) {
         status = find_misses(model, gaps, q, v);
+        if (status == TINKER_OK && stalls(model, before)) {
+            if (!(tinker_constraints_worst_miss(model) < before)) move_within_step(model, h, -1, q, v);
+            return rattle_across(model, h, q, v);
+        }
         if (!wants_step(model, FALSE, &before, &status)) return status;
         if (!gaps) memcpy(all->jacobian, all->turned, all->jacobian_size * sizeof(double));
         tinker_constraints_newton_step(model, FALSE);
-        for (int32_t i = 0; i < model->coordinates; i++) {
-            q[i] += displacement[i];
-            v[i] += displacement[i] / h;
-        }
+        move_within_step(model, h, 1, q, v);
     }
     return stop_short(model);
 }

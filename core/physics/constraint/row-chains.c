@@ -57,7 +57,7 @@ static int32_t neighbour(const TinkerModel *model, int32_t entry)
 static gboolean is_thin(const TinkerModel *model)
 {
     const TinkerConstraints *all = &model->constraints;
-    if (all->rows == 0 || !all->two_entries || all->turn_count > 0) return FALSE;
+    if (all->rows == 0 || !all->two_entries || all->turn_count > 0 || all->repeats != NULL) return FALSE;
     for (int32_t i = 0; i < model->bodies; i++)
         if (entries_on(model, i) > 2) return FALSE;
     for (int32_t row = 0; row < all->rows; row++)

@@ -24,6 +24,9 @@
 /* No unit; of a row's length: a projection that gains no more has come as near as rounding lets it. Held by:
  * physics-redundant-rods, physics-singular. */
 #define TINKER_ROUNDING_MISS 1e-12
+/* No unit; of a row's length: where RATTLE's Newton steps leave more and gain nothing, it is no rounding of places, but
+ * a singular place that the step leads across. Held by: physics-mechanisms. */
+#define TINKER_STALLED_MISS 1e-14
 /* No unit; of a row's length: so much may be left at a singular place (a flat parallelogram), where rows depend on
  * each other, Newton steps only halve the miss, and no first-order step removes the last of it: the motion leaves the
  * place again, and the next projection finds it regular. Held by: physics-redundant-rods. */

@@ -130,6 +130,25 @@ typedef struct {
     int32_t row, slot;
 } TinkerIdleRow;
 
+/* A row that repeats `first`, which stands before it, sign times (repeated-rows.h). */
+typedef struct {
+    int32_t row, first;
+    int32_t copies; /* rows that say so, with the first */
+    double sign;
+    int32_t slot, first_slot; /* of both on the diagonal of S */
+} TinkerRepeatedRow;
+
+/* What a row has on a hub, a body that S leaves out: by its number in a Jacobian, in the column of one of the unknowns
+ * behind the rows. */
+typedef struct {
+    int32_t row, unknown, entry, slot;
+} TinkerHubEntry;
+
+typedef struct {
+    int32_t slot; /* of such an unknown on the diagonal */
+    double mass;  /* kg: of its body */
+} TinkerHubMass;
+
 /* Whether there is a factor of S, and of which Jacobian: see TinkerConstraints. */
 typedef struct {
     gboolean factored, keeps_factored, shifted;
@@ -157,6 +176,15 @@ typedef struct {
     double *own_g, *own_drift, *own_rate, *own_jacobian;
     TinkerIdleRow *idle; /* room for every row */
     int32_t idle_count;
+    TinkerRepeatedRow *repeated; /* in the order of `first`, then of `row` */
+    int32_t repeated_count;
+    gboolean *repeats; /* by row; NULL where none does */
+    int32_t *hubs;     /* of each body: the first unknown of its own, behind the rows; 0: it has none. NULL: no body */
+    int32_t border;    /* unknowns of hubs */
+    TinkerHubEntry *hub_entries;
+    int32_t hub_entry_count;
+    TinkerHubMass *hub_masses; /* of each of these unknowns */
+    double *bordered;          /* working state: a right-hand side with them */
     TinkerProduct *products;
     gsize product_count;
     TinkerTurnEntry *turns; /* in the order of the rows */
@@ -170,8 +198,10 @@ typedef struct {
     TinkerPinChains *pin_chains; /* of blocks whose ends coincide that do; else NULL */
     double work;       /* J: what the last projection of positions gave, by the applied forces evaluated last */
     gboolean gave_way; /* a projection stopped short at a singular place; whoever reports it clears it */
-    int32_t redundant; /* rows that depend on others at the start: every solve is proximal */
+    int32_t redundant; /* rows that depend on others at the start, with those that repeat one: told to users */
+    int32_t dependent; /* without those */
     double shift;      /* of it: a share of the diagonal of S */
+    int32_t rounds;    /* that a proximal solve takes, by one for any motion at the start; 0: none is */
 
     /* working state */
     TinkerPoint *ends; /* gathered, of the largest batch */
@@ -183,6 +213,7 @@ typedef struct {
     double *by_point;        /* 2 per point */
     double *turned;          /* RATTLE: the Jacobian at the start of the step */
     double *displacement;    /* of a Newton step: 2 per body */
+    int32_t rounds_taken;    /* by the last proximal solve */
     gboolean shifted;        /* the factor is of S + eps I: solve by proximal iteration */
     gboolean prescribed;     /* some row's dg/dt of what is prescribed is not 0 */
     gboolean factored;       /* there is a factor, ... */

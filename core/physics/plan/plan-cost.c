@@ -5,6 +5,8 @@
 #include <math.h>
 
 #include "numerics/exact/exact.h"
+#include "numerics/solve/sparse-ldl.h"
+#include "physics/constraint/tolerances.h"
 #include "physics/impulse/impulse.h"
 #include "physics/line/linear-form.h"
 #include "physics/model/model-data.h"
@@ -20,8 +22,17 @@
 #define PER_BODY       8.0
 #define PER_ASKED      80.0 /* an instance whose plugin is asked */
 #define PER_FIELD_BODY 24.0 /* each asked field, a body */
-#define PER_ROW        80.0 /* a constraint row: Jacobian, factor, solve */
+#define PER_ROW        80.0 /* a constraint row along a chain: Jacobian, factor, solve */
 #define PER_EDGE       8.0  /* of a linear form */
+/* Of rows that are solved by the general factor, in place of PER_ROW. */
+#define PER_JACOBIAN 48.0 /* a row, by itself */
+#define PER_PRODUCT  4.0  /* an entry's with another's */
+#define PER_UPDATE   3.0  /* what a column takes off another of the factor */
+#define PER_FILL     16.0 /* an entry of the factor, in each round of a solve */
+#define PER_ENTRY    8.0  /* an entry of the Jacobian, likewise */
+/* Solves within a run take fewer rounds than one for any motion; refining many rows adds a share of them. */
+#define ROUNDS_WITHIN  0.6
+#define REFINED_ROUNDS 1.5
 /* Of one step: watching it, and for each coordinate the method's own sums over its stages. */
 #define PER_STEP             60.0
 #define PER_STAGE_COORDINATE 4.0
@@ -30,6 +41,8 @@
 /* A sample: dense output. */
 #define PER_SAMPLE            80.0
 #define PER_SAMPLE_COORDINATE 10.0
+/* It is brought onto constraint rows and its accelerations are solved for; then the step's factor is made once more. */
+#define SAMPLE_ROWS 2.5
 /* An exact solution under forces, or with uneven damping: its series, at a sample and twice in a step. */
 #define PER_SERIES      5500.0
 #define SERIES_PER_STEP 2.0
@@ -68,6 +81,28 @@ static double asked(const GArray *batches, double per_instance)
     return sum;
 }
 
+/* Of the rounds of one solve beside the first. */
+static double more_rounds(const TinkerConstraints *all)
+{
+    return ROUNDS_WITHIN * all->rounds * (all->rows < TINKER_REFINED_ROWS ? 1 : REFINED_ROUNDS);
+}
+
+/* Operations that constraint rows take for once: Jacobian, factor, solve. */
+static double row_operations(const TinkerModel *model)
+{
+    const TinkerConstraints *all = &model->constraints;
+    double called = 0;
+    for (guint i = 0; all->rows > 0 && i < all->batches->len; i++) {
+        const TinkerConstraintBatch *part = &g_array_index(all->batches, TinkerConstraintBatch, i);
+        if (part->distances == NULL && !part->coincident) called += PER_ASKED * part->batch->count;
+    }
+    if (all->rows == 0 || all->chains != NULL || all->pin_chains != NULL) return called + PER_ROW * all->rows;
+    const double products = (double)(all->product_count + all->turn_product_count),
+                 updates = (double)tinker_sparse_ldl_updates(all->ldl), fill = (double)tinker_sparse_ldl_fill(all->ldl);
+    return called + PER_JACOBIAN * all->rows + PER_PRODUCT * products + PER_UPDATE * updates +
+           (1 + more_rounds(all)) * (PER_FILL * fill + PER_ENTRY * (all->entries + all->turn_count));
+}
+
 /* Operations of one evaluation of an island's accelerations. */
 static double evaluation_cost(const TinkerIsland *island)
 {
@@ -78,18 +113,18 @@ static double evaluation_cost(const TinkerIsland *island)
     }
     return PER_EVALUATION + PER_LINE * model->lines.count + PER_BODY * model->bodies +
            asked(model->asked_lines, PER_ASKED) + asked(model->asked_forces, PER_ASKED) +
-           PER_FIELD_BODY * model->asked_fields->len * model->bodies + PER_ROW * model->constraints.rows;
+           PER_FIELD_BODY * model->asked_fields->len * model->bodies + row_operations(model);
 }
 
 static double sample_operations(const TinkerIsland *island)
 {
-    return PER_SAMPLE + PER_SAMPLE_COORDINATE * coordinates(island);
+    return PER_SAMPLE + PER_SAMPLE_COORDINATE * coordinates(island) + SAMPLE_ROWS * row_operations(island->model);
 }
 
 /* Of so many steps with so many evaluations in them. */
 static double explicit_operations(const TinkerIsland *island, double steps, double evaluations)
 {
-    return steps * (PER_STEP + PROJECTIONS * PER_ROW * island->model->constraints.rows) +
+    return steps * (PER_STEP + PROJECTIONS * row_operations(island->model)) +
            evaluations * (evaluation_cost(island) + PER_STAGE_COORDINATE * coordinates(island));
 }
 
@@ -231,10 +266,10 @@ static double band_width(const TinkerIsland *island)
 static double implicit_step_operations(const TinkerIsland *island)
 {
     double n = coordinates(island), width = band_width(island), evaluation = evaluation_cost(island);
-    double solve = n * (4 * width + 20), factor = n * (2 * width * width + 8), rows = island->model->constraints.rows;
+    double solve = n * (4 * width + 20), factor = n * (2 * width * width + 8);
     if (island->linear != NULL) return PER_STEP + evaluation + solve + PER_STAGE_COORDINATE * n;
     return PER_STEP + NEWTON_STEPS * ((1 + JACOBIAN_SHARE) * evaluation + factor + solve) +
-           PROJECTIONS * PER_ROW * rows + PER_STAGE_COORDINATE * n;
+           PROJECTIONS * row_operations(island->model) + PER_STAGE_COORDINATE * n;
 }
 
 static void cost_fixed(const TinkerIsland *island, const TinkerForecast *forecast, const TinkerIntegrator *method,
