@@ -383,6 +383,22 @@ static void test_mechanism_tutorial(void)
     g_assert_cmpint(cJSON_GetArraySize(warnings), ==, 0);
 }
 
+/* Every bundled scene serves a concept. */
+static void test_concepts(void)
+{
+    static const char suffix[] = ".tinker.json";
+    g_autofree char *page_path = source_path("docs/concepts.md"), *folder = source_path("host/scenes");
+    g_autofree char *page = test_read_file(page_path);
+    g_autoptr(GDir) scenes = g_dir_open(folder, 0, NULL);
+    g_assert_nonnull(scenes);
+    for (const char *file = g_dir_read_name(scenes); file != NULL; file = g_dir_read_name(scenes)) {
+        if (!g_str_has_suffix(file, suffix)) continue;
+        g_autofree char *named = g_strdup_printf("`%.*s`", (int)(strlen(file) - strlen(suffix)), file);
+        if (strstr(page, named) == NULL) g_test_message("%s is not in docs/concepts.md", named);
+        g_assert_nonnull(strstr(page, named));
+    }
+}
+
 int main(int argc, char **argv)
 {
     g_test_init(&argc, &argv, NULL);
@@ -390,6 +406,7 @@ int main(int argc, char **argv)
     g_test_add_func("/docs/outputs", test_outputs);
     g_test_add_func("/docs/links", test_links);
     g_test_add_func("/docs/methods", test_methods);
+    g_test_add_func("/docs/concepts", test_concepts);
     g_test_add_func("/docs/tutorial/runs", test_tutorial_runs);
     g_test_add_func("/docs/tutorial/window", test_window_tutorials);
     g_test_add_func("/docs/tutorial/incline", test_incline_tutorial);
