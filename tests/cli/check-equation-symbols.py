@@ -90,11 +90,19 @@ def text_rows(text):
         yield symbols(left), left in named, [] if value else symbols(right), value and right, comment
 
 
+def is_of_matrices(name):
+    """M, C, K, the vector f, and entries such as K_i,i: the page has them written out, or tells their pattern."""
+    plain = re.sub(r"<[^>]*>|[{}\\\\]|name", "", name)
+    return re.fullmatch(r"[MCKf](_?i,i(±\d+)?)?", plain) is not None
+
+
 READERS = {"mathml": mathml_rows, "latex": latex_rows, "text": text_rows}
 
 
-def unexplained(rows):
+def unexplained(rows, form):
     rows = list(rows)
+    if form == "matrix":  # the pattern of a matrix has its values behind it; its k stands for many
+        rows = [row for row in rows if not any(is_of_matrices(name) for name in row[0])]
     used = {name for left, _, right, value, _ in rows for name in [*left, *([] if value else right)]}
     valued = {left[0] for left, one, _, value, _ in rows if one and value and len(left) == 1}
     told = {left[0] for left, one, _, _, comment in rows if one and comment and not comment.rstrip().endswith(":") and len(left) == 1}
@@ -109,7 +117,7 @@ def twice_told(text):
             meanings.setdefault(left, set()).add(comment)
     products = {left for left in meanings if " " in left and re.search("[\u0307\u0308]", unicodedata.normalize("NFD", left))}
     return sorted(f"{left}: {' | '.join(sorted(told))}" for left, told in meanings.items()
-                  if len(told) > 1 and left not in products)
+                  if len(told) > 1 and left not in products and not is_of_matrices(left))
 
 
 def tree_symbols(tree, into):
@@ -144,7 +152,7 @@ def check(tinker, scene, form, more):
     name, faults = f"{os.path.basename(scene)} {form} {' '.join(more)}".strip(), []
     for format_, reader in READERS.items():
         text = page(tinker, scene, form, format_, *more)
-        without_value, without_words = unexplained(reader(text))
+        without_value, without_words = unexplained(reader(text), form)
         if "=" in text and form == "newton" and not list(reader(text)):
             faults.append(f"{name} {format_}: no equation was found")
         if without_value:

@@ -236,8 +236,8 @@ static gboolean is_zero(const TinkerMatrixIsland *island, TinkerMatrixKind kind)
     return TRUE;
 }
 
-/* M q'' + C q' + K q = f, without what is 0. */
-static void write_whole(TinkerPage *page, const TinkerMatrixIsland *island)
+/* M q'' + C q' + K q = f, without what is 0. The comment is taken over. */
+static void write_whole(TinkerPage *page, const TinkerMatrixIsland *island, char *comment)
 {
     static const char *const letters[] = {"M", "C", "K"};
     GString *sum = g_string_new(NULL);
@@ -247,7 +247,7 @@ static void write_whole(TinkerPage *page, const TinkerMatrixIsland *island)
         if (sum->len > 0) g_string_append(sum, tinker_typeset_sign(page->format, '+'));
         g_string_append_printf(sum, "%s%s%s", matrix, tinker_typeset_sign(page->format, '*'), vector);
     }
-    tinker_page_equation(page, g_string_free(sum, FALSE), lettered(page, "f", 0), NULL);
+    tinker_page_equation(page, g_string_free(sum, FALSE), lettered(page, "f", 0), comment);
 }
 
 /* The matrices one below the other, as far as they are not 0. */
@@ -257,7 +257,7 @@ static void write_matrices(TinkerPage *page, const TinkerMatrixIsland *island)
     static const TinkerDimension dimensions[] = {{1, 0, 0, 0}, {1, 0, -1, 0}, {1, 0, -2, 0}};
     const GPtrArray *const entries[] = {island->mass, island->damping, island->stiffness};
     const guint n = island->coordinates->len;
-    write_whole(page, island);
+    write_whole(page, island, NULL);
     tinker_page_gap(page);
     for (int kind = 0; kind < TINKER_MATRICES; kind++) {
         const TinkerPageMatrix matrix = {n, n, (const TinkerExpression *const *)(gpointer)entries[kind]->pdata,
@@ -273,7 +273,7 @@ static void write_matrices(TinkerPage *page, const TinkerMatrixIsland *island)
 
 static void write_patterns(TinkerPage *page, const TinkerMatrixIsland *island)
 {
-    write_whole(page, island);
+    write_whole(page, island, g_strdup(_("q: the coordinates; f: what else acts on each")));
     for (int kind = 0; kind < TINKER_MATRICES; kind++)
         tinker_page_pattern(page, island, kind);
 }

@@ -108,9 +108,10 @@ static void block_batch_free(TinkerBlockBatch *batch)
 
 gboolean tinker_block_batch_is_timed(const TinkerBlockBatch *batch, int32_t row)
 {
-    TinkerTypedLaw *const *laws = batch->laws + (gsize)row * (gsize)batch->law_count;
-    for (int32_t k = 0; k < batch->law_count; k++)
-        if (laws[k] != NULL && laws[k]->depends_on_time) return TRUE;
+    for (int32_t k = 0; k < batch->law_count; k++) {
+        const TinkerTypedLaw *law = batch->laws[(gsize)row * (gsize)batch->law_count + (gsize)k];
+        if (law != NULL && law->depends_on_time) return TRUE;
+    }
     return FALSE;
 }
 
