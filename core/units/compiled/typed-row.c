@@ -4,7 +4,8 @@
 
 #include "units/compiled/compiled.h"
 
-#define LEAST_TOGETHER 8 /* fewer are worked out one by one, which is faster */
+#define LINE           64 /* bytes, of the processor's cache: few numbers that begin amid one take a fifth longer */
+#define LEAST_TOGETHER 8  /* fewer are worked out one by one, which is faster */
 
 struct _TinkerTypedRow {
     int users, count;
@@ -44,7 +45,7 @@ static double *numbers_of(const TinkerTypedRow *row, int which)
 {
     int count;
     tinker_compiled_numbers(program_at(row->member, which), &count);
-    double *numbers = g_new(double, (gsize)MAX(count, 1) * (gsize)row->count);
+    double *numbers = g_aligned_alloc((gsize)MAX(count, 1) * (gsize)row->count, sizeof(double), LINE);
     for (int member = 0; member < row->count; member++) {
         const double *own = tinker_compiled_numbers(program_at(&row->member[member], which), &count);
         for (int i = 0; i < count; i++)
@@ -90,7 +91,7 @@ static void free_row(TinkerTypedRow *row)
 {
     if (--row->users > 0) return;
     for (int which = 0; which < row->programs; which++)
-        g_free(row->numbers[which]);
+        g_aligned_free(row->numbers[which]);
     g_free(row->numbers);
     g_free(row);
 }
