@@ -4,16 +4,9 @@
 #include <math.h>
 #include <string.h>
 
-#define PI 3.14159265358979323846
+#include "law/build-short.h"
 
-#define N(x)        tinker_expression_number(x)
-#define COPY(x)     tinker_expression_ref(x)
-#define PLUS(a, b)  tinker_expression_plus(a, b)
-#define MINUS(a, b) tinker_expression_minus(a, b)
-#define TIMES(a, b) tinker_expression_times(a, b)
-#define OVER(a, b)  tinker_expression_over(a, b)
-#define CALL(f, a)  tinker_expression_call(f, a)
-#define SQUARE(a)   tinker_expression_squared(a)
+#define PI 3.14159265358979323846
 
 typedef struct {
     TinkerSymbolFunc derivative;

@@ -4,20 +4,11 @@
 #include <math.h>
 #include <string.h>
 
-#include "law/build.h"
+#include "law/build-short.h"
 #include "law/derivative.h"
 #include "law/simplify.h"
 
 #define DEEPEST 12 /* products that are multiplied out within each other */
-
-#define N(x)        tinker_expression_number(x)
-#define COPY(x)     tinker_expression_ref(x)
-#define PLUS(a, b)  tinker_expression_plus(a, b)
-#define MINUS(a, b) tinker_expression_minus(a, b)
-#define TIMES(a, b) tinker_expression_times(a, b)
-#define OVER(a, b)  tinker_expression_over(a, b)
-#define CALL(f, a)  tinker_expression_call(f, a)
-#define POWER(a, n) tinker_expression_to_power(a, n)
 
 /* base^power, of what depends on the symbol. */
 typedef struct {
@@ -42,15 +33,20 @@ static gboolean is_function(const TinkerExpression *node, const char *name)
     return node->kind == TINKER_EXPRESSION_FUNCTION && strcmp(node->name, name) == 0;
 }
 
+static gboolean is_fraction(const TinkerExpression *node)
+{
+    return node->kind == TINKER_EXPRESSION_QUOTIENT && node->parts[0]->kind == TINKER_EXPRESSION_NUMBER &&
+           node->parts[1]->kind == TINKER_EXPRESSION_NUMBER;
+}
+
 /* Sorts a simplified product to the power of 1 or -1: what is constant goes to *constant, the rest to factors. */
 static void sort(const TinkerExpression *node, const char *symbol, int sign, TinkerExpression **constant,
                  GArray *factors)
 {
     const gboolean by_number = node->kind == TINKER_EXPRESSION_POWER && !tinker_expression_uses(node->parts[1], symbol);
     double exponent = NAN;
-    if (by_number && tinker_expression_is_number(node->parts[1], node->parts[1]->number))
-        exponent = node->parts[1]->number;
-    if (by_number && node->parts[1]->kind == TINKER_EXPRESSION_QUOTIENT)
+    if (by_number && node->parts[1]->kind == TINKER_EXPRESSION_NUMBER) exponent = node->parts[1]->number;
+    if (by_number && is_fraction(node->parts[1]))
         exponent = node->parts[1]->parts[0]->number / node->parts[1]->parts[1]->number;
     if (is_function(node, "sqrt")) exponent = 0.5;
     if (!tinker_expression_uses(node, symbol)) {
@@ -97,7 +93,7 @@ static TinkerExpression *of_function(const TinkerExpression *node)
     if (strcmp(name, "cosh") == 0) return CALL("sinh", COPY(u));
     if (strcmp(name, "tanh") == 0) return CALL("log", CALL("cosh", COPY(u)));
     if (strcmp(name, "abs") == 0) return OVER(TIMES(COPY(u), COPY(node)), N(2));
-    if (strcmp(name, "ramp") == 0) return OVER(tinker_expression_squared(COPY(node)), N(2));
+    if (strcmp(name, "ramp") == 0) return OVER(SQUARE(COPY(node)), N(2));
     if (strcmp(name, "step") == 0) return CALL("ramp", COPY(u));
     return NULL;
 }
