@@ -134,19 +134,35 @@ static void test_second_order(CliFixture *fixture, gconstpointer data)
     cli_assert_holds(latex->output, "^{2}");
 }
 
-/* A chain of ten on a line: its stiffness is a band of three, its mass a diagonal. */
-static void test_pattern(CliFixture *fixture, gconstpointer data)
+/* A chain of masses on a line, each on a spring behind the one before, with these numbers of "stiffness". */
+static char *write_chain(CliFixture *fixture, int count, int (*stiffness)(int number))
 {
     g_autoptr(GString) scene =
         g_string_new("{\"tinker\": 1, \"blocks\": [{\"type\": \"support\", \"position\": [0, 0], "
                      "\"solid\": false, \"name\": \"Wall\"}");
-    for (int i = 1; i <= 10; i++)
+    for (int i = 1; i <= count; i++)
         g_string_append_printf(scene,
-                               ",{\"type\": \"mass\", \"name\": \"M%d\", \"position\": [%d, 0]},"
-                               "{\"type\": \"spring\", \"ends\": [\"%s%.0d\", \"M%d\"]}",
-                               i, i, i == 1 ? "Wall" : "M", i - 1, i);
+                               ",{\"type\": \"mass\", \"name\": \"M%d\", \"position\": [%d, 0], \"solid\": false},"
+                               "{\"type\": \"spring\", \"ends\": [\"%s%.0d\", \"M%d\"], \"stiffness\": %d}",
+                               i, i, i == 1 ? "Wall" : "M", i - 1, i, stiffness(i));
     g_string_append(scene, "]}");
-    g_autofree char *path = cli_write(fixture, "scene.json", scene->str);
+    return cli_write(fixture, "scene.json", scene->str);
+}
+
+static int two_each(G_GNUC_UNUSED int number)
+{
+    return 2;
+}
+
+static int two_but_in_the_middle(int number)
+{
+    return number == 100 ? 3 : number == 101 ? 4 : 2;
+}
+
+/* A chain of ten on a line: its stiffness is a band of three, its mass a diagonal. */
+static void test_pattern(CliFixture *fixture, gconstpointer data)
+{
+    g_autofree char *path = write_chain(fixture, 10, two_each);
     g_autoptr(TestProgram) page = cli_run_well(fixture, "equations @scene.json --form matrix");
     cli_assert_holds(page->output, "10 coordinates");
     cli_assert_holds(page->output, "M is diagonal, 10 × 10, with 10 entries");
@@ -161,19 +177,7 @@ static void test_pattern(CliFixture *fixture, gconstpointer data)
  */
 static void test_large_pattern(CliFixture *fixture, gconstpointer data)
 {
-    g_autoptr(GString) scene =
-        g_string_new("{\"tinker\": 1, \"blocks\": [{\"type\": \"support\", \"position\": [0, 0], "
-                     "\"solid\": false, \"name\": \"Wall\"}");
-    for (int i = 1; i <= 200; i++)
-        g_string_append_printf(scene,
-                               ",{\"type\": \"mass\", \"name\": \"M%d\", \"position\": [%d, 0], \"solid\": false},"
-                               "{\"type\": \"spring\", \"ends\": [\"%s%.0d\", \"M%d\"], \"stiffness\": %d}",
-                               i, i, i == 1 ? "Wall" : "M", i - 1, i,
-                               i == 100   ? 3
-                               : i == 101 ? 4
-                                          : 2);
-    g_string_append(scene, "]}");
-    g_autofree char *path = cli_write(fixture, "scene.json", scene->str);
+    g_autofree char *path = write_chain(fixture, 200, two_but_in_the_middle);
     g_autoptr(TestProgram) page = cli_run_well(fixture, "equations @scene.json --form matrix");
     cli_assert_holds(page->output, "K is tridiagonal, 200 × 200, with 598 entries");
     cli_assert_holds(page->output, "= 2 k   on the diagonal, 199 of 200, 4 N/m to 7 N/m");

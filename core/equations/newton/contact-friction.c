@@ -123,7 +123,7 @@ static void add_sliding(const TinkerContactTerms *terms, double share, gboolean 
     add_friction_terms(terms, force);
 }
 
-/* m/s: of where a body touches the top of a support, along it, against the top there. */
+/* m/s: of a mass along the top of a support, against the top there. */
 static double speed_along(const TinkerContactTerms *terms)
 {
     const TinkerEquationWriter *writer = terms->writer;
@@ -132,16 +132,15 @@ static double speed_along(const TinkerContactTerms *terms)
     const TinkerBodySample *at = tinker_model_state_body(writer->state, contact->tip);
     const double n[] = {tinker_contact_value(terms, terms->geometry.normal[0]),
                         tinker_contact_value(terms, terms->geometry.normal[1])};
-    const double rate = contact->shape == TINKER_TOUCHES_AS_MASS ? 0 : at->rate,
-                 turning = tinker_contact_value(terms, seat->rate);
+    const double turning = tinker_contact_value(terms, seat->rate);
     const double x = contact->at[0] - tinker_contact_value(terms, seat->x),
                  y = contact->at[1] - tinker_contact_value(terms, seat->y);
-    const double ux = at->vx - rate * (contact->at[1] - at->y) - (tinker_contact_value(terms, seat->vx) - turning * y);
-    const double uy = at->vy + rate * (contact->at[0] - at->x) - (tinker_contact_value(terms, seat->vy) + turning * x);
+    const double ux = at->vx - (tinker_contact_value(terms, seat->vx) - turning * y);
+    const double uy = at->vy - (tinker_contact_value(terms, seat->vy) + turning * x);
     return n[1] * ux - n[0] * uy;
 }
 
-/* Of a contact with a top of which speeds and forces alone are known. */
+/* Of a mass on a top, of which speeds and forces alone are known. */
 static void add_friction_by_speed(const TinkerContactTerms *terms, const double shares[2])
 {
     const TinkerContactForce *contact = terms->contact;

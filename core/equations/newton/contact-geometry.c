@@ -29,22 +29,6 @@ static TinkerExpression *across(TinkerExpression *const direction[2], const Tink
 
 /* The tip ---------------------------------------------------------------------------------------------------------- */
 
-/* Where a corner lies, in the axes of its block. */
-static void corner_of(const TinkerEquationWriter *writer, const TinkerContactForce *contact,
-                      const TinkerContactSide *tip, double own[2])
-{
-    const TinkerActingTouch *touch = contact->touch;
-    if (touch != NULL) {
-        tinker_contact_in_block_axes(tip, touch->angle[touch->gap.tip_of], touch->gap.tip, own);
-        return;
-    }
-    const TinkerBodySample *at = tinker_model_state_body(writer->state, contact->tip);
-    const double c = cos(at->orientation), s = sin(at->orientation);
-    const double rx = contact->at[0] - at->x, ry = contact->at[1] - at->y;
-    own[0] = c * rx + s * ry;
-    own[1] = c * ry - s * rx;
-}
-
 static void add_tip(TinkerEquationWriter *writer, const TinkerContactForce *contact, TinkerContactSide *tip)
 {
     const TinkerContactArmNames names = {contact->tip, "a", "r"};
@@ -52,7 +36,9 @@ static void add_tip(TinkerEquationWriter *writer, const TinkerContactForce *cont
     tinker_writer_centre(writer, contact->tip, &tip->point);
     if (contact->shape == TINKER_TOUCHES_AS_DISC)
         tip->radius = tinker_writer_meaning(writer, contact->tip, TINKER_MEANING_RADIUS, 0, "R");
-    if (contact->shape == TINKER_TOUCHES_AT_CORNER) corner_of(writer, contact, tip, own);
+    if (contact->shape == TINKER_TOUCHES_AT_CORNER)
+        tinker_contact_in_block_axes(tip, contact->touch->angle[contact->touch->gap.tip_of], contact->touch->gap.tip,
+                                     own);
     tinker_contact_add_arm(writer, contact, tip, &names, own);
 }
 

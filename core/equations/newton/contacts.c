@@ -22,15 +22,13 @@ static void normal_of(const TinkerEquationWriter *writer, const TinkerActingForc
     }
 }
 
+/* Where no gap function is known it is a mass on a top. */
 static TinkerTouchShape shape_of(const TinkerEquationWriter *writer, const TinkerContactForce *contact)
 {
     const TinkerBodyEquation *equation = g_hash_table_lookup(writer->body_of, GINT_TO_POINTER(contact->tip));
     const gboolean turns = equation != NULL && equation->inertia != NULL;
-    if (!turns && tinker_contact_is_on_top(writer, contact)) return TINKER_TOUCHES_AS_MASS;
-    if (contact->touch != NULL)
-        return contact->touch->gap.tip_radius > 0 ? TINKER_TOUCHES_AS_DISC : TINKER_TOUCHES_AT_CORNER;
-    const TinkerBody *role = tinker_scene_block_class(writer->scene, contact->tip)->physics->body;
-    return role->shape == TINKER_SHAPE_DISC ? TINKER_TOUCHES_AS_DISC : TINKER_TOUCHES_AT_CORNER;
+    if (contact->touch == NULL || (!turns && tinker_contact_is_on_top(writer, contact))) return TINKER_TOUCHES_AS_MASS;
+    return contact->touch->gap.tip_radius > 0 ? TINKER_TOUCHES_AS_DISC : TINKER_TOUCHES_AT_CORNER;
 }
 
 /* How many contacts a block has, and how many of them stand before number `before`, with this body alone where it is

@@ -48,8 +48,9 @@ static gboolean anything_struck(const TinkerContactChange *change)
     return struck;
 }
 
-/* Which way it slides; 0 where it is slow enough to stick. An event says that it stops, or that it begins. */
-static int8_t sliding_of(const TinkerContactChange *change, guint number, double acceleration)
+/* Which way it slides; 0 where it is slow enough to stick. An event says that it stops, or that it begins; `struck`: a
+ * blow on any of the group does. */
+static int8_t sliding_of(const TinkerContactChange *change, guint number, double acceleration, gboolean struck)
 {
     const TinkerTouch *at = tinker_touch(change, number);
     const TinkerPlate *plate = tinker_touch_plate(change, number);
@@ -66,7 +67,7 @@ static int8_t sliding_of(const TinkerContactChange *change, guint number, double
     /* one that has just begun to slip goes on, until an event of its own says that it stops, or a blow on any that it
      * is tied to has changed its speed; what slipped clearly stops now */
     gboolean begins = at->contact.starts || !change->run->starts_low;
-    gboolean stops = tinker_change_is_trigger(change, at) || anything_struck(change) || !begins;
+    gboolean stops = tinker_change_is_trigger(change, at) || struck || !begins;
     if (stops || at->was == TINKER_CONTACT_OPEN || at->was == TINKER_CONTACT_STICK) return 0;
     return at->was == TINKER_CONTACT_SLIP_FORWARD ? 1 : -1;
 }
@@ -217,9 +218,10 @@ static gboolean free_limits(const TinkerContactChange *change, const TinkerConta
 
 static TinkerContactResult ask_modes(TinkerContactChange *change, TinkerContactLaws *laws, double scale)
 {
+    const gboolean struck = anything_struck(change);
     for (guint i = 0; i < laws->count; i++) {
         tinker_touch(change, i)->contact.at_limit = FALSE;
-        laws->sliding[i] = sliding_of(change, i, scale);
+        laws->sliding[i] = sliding_of(change, i, scale, struck);
         const TinkerSurface surface = tinker_touch_surface(change, i);
         laws->first[i] = surface.static_friction;
         laws->second[i] = surface.dynamic_friction;

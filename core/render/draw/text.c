@@ -169,6 +169,13 @@ void tinker_text_measure(TinkerTextPen *pen, const TinkerText *text, double *wid
     *height = box[3];
 }
 
+double tinker_text_width(TinkerTextPen *pen, const TinkerText *text)
+{
+    double width, height;
+    tinker_text_measure(pen, text, &width, &height);
+    return width;
+}
+
 void tinker_text_measure_ink(TinkerTextPen *pen, const TinkerText *text, double *width, double *above, double *below)
 {
     PangoLayout *layout = lay_out(pen, text);

@@ -51,6 +51,8 @@ void tinker_text_pen_clear(TinkerTextPen *pen);
 /* Width and height before it is turned, canvas units. */
 void tinker_text_measure(TinkerTextPen *pen, const TinkerText *text, double *width, double *height);
 
+double tinker_text_width(TinkerTextPen *pen, const TinkerText *text);
+
 /* How far the text takes the pen along, and how far its ink reaches above and below the line that it stands on. */
 void tinker_text_measure_ink(TinkerTextPen *pen, const TinkerText *text, double *width, double *above, double *below);
 /* Writes with the pen at (x, y) on the line that it stands on; anchors and angle do not matter. */

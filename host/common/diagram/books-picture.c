@@ -311,10 +311,7 @@ static void draw_account(Drawing *drawing, Which which, const double place[4])
 
 static double width_of(Drawing *drawing, const char *text, gboolean bold)
 {
-    const TinkerText one = {.text = text, .size = TEXT, .bold = bold};
-    double width, height;
-    tinker_text_measure(&drawing->pen, &one, &width, &height);
-    return width;
+    return tinker_text_width(&drawing->pen, &(TinkerText){.text = text, .size = TEXT, .bold = bold});
 }
 
 /* Values have the room that the longest takes, names as much as bars leave them. */

@@ -80,19 +80,12 @@ static char *title_of(const DiagramDrawing *drawing, gboolean with_mass)
                                        : g_strdup_printf("%s,  t = %s", names->str, time);
 }
 
-static double width_of(DiagramDrawing *drawing, const char *text, double size)
-{
-    const TinkerText one = {.text = text, .size = size, .bold = TRUE};
-    double width, height;
-    tinker_text_measure(&drawing->pen, &one, &width, &height);
-    return width;
-}
-
 static void draw_title(DiagramDrawing *drawing, double width)
 {
     g_autofree char *whole = title_of(drawing, TRUE), *brief = title_of(drawing, FALSE);
     const double room = fmax(width - 2 * DIAGRAM_EDGE, 1);
-    const TinkerText title = {.text = width_of(drawing, whole, TITLE) <= room ? whole : brief,
+    const TinkerText as_whole = {.text = whole, .size = TITLE, .bold = TRUE};
+    const TinkerText title = {.text = tinker_text_width(&drawing->pen, &as_whole) <= room ? whole : brief,
                               .size = TITLE,
                               .bold = TRUE,
                               .keeps_end = TRUE,
@@ -117,7 +110,7 @@ void tinker_diagram_draw(cairo_t *cairo, double width, double height, void *data
     const double list = diagram_list_height(&drawing, width) + DIAGRAM_EDGE, bottom = fmax(height - list, height / 2);
     drawing.lesser = fmin(bottom - top, both ? width - middle - aside : width);
     const char *free_body = _("Free-body diagram"), *kinetic = _("Kinetic diagram");
-    if (both && width_of(&drawing, kinetic, DIAGRAM_TEXT) > width - middle - aside) {
+    if (both && diagram_text_width(&drawing, kinetic, TRUE) > width - middle - aside) {
         free_body = _("Forces");
         kinetic = "m a";
     }

@@ -81,10 +81,7 @@ void diagram_set_colour(cairo_t *cairo, const double colour[4])
 
 double diagram_text_width(DiagramDrawing *drawing, const char *text, gboolean bold)
 {
-    const TinkerText written = {.text = text, .size = DIAGRAM_TEXT, .bold = bold};
-    double width, height;
-    tinker_text_measure(&drawing->pen, &written, &width, &height);
-    return width;
+    return tinker_text_width(&drawing->pen, &(TinkerText){.text = text, .size = DIAGRAM_TEXT, .bold = bold});
 }
 
 void diagram_write(DiagramDrawing *drawing, TinkerText text, double x, double y)
