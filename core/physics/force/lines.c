@@ -60,26 +60,26 @@ typedef struct {
 } Columns;
 
 /* b - a of four lines, transposed from rows to columns. */
-__attribute__((target("avx2"), always_inline)) static inline Columns differences(const TinkerMergedLines *lines,
-                                                                                 int32_t i, const TinkerPoint *points)
+__attribute__((target("avx2"), always_inline)) static inline Columns differences(const int32_t *a, const int32_t *b,
+                                                                                 const TinkerPoint *points)
 {
     __m256d d[4];
     for (int k = 0; k < 4; k++)
-        d[k] = _mm256_sub_pd(_mm256_loadu_pd(&points[lines->b[i + k]].x), _mm256_loadu_pd(&points[lines->a[i + k]].x));
+        d[k] = _mm256_sub_pd(_mm256_loadu_pd(&points[b[k]].x), _mm256_loadu_pd(&points[a[k]].x));
     __m256d low01 = _mm256_unpacklo_pd(d[0], d[1]), high01 = _mm256_unpackhi_pd(d[0], d[1]);
     __m256d low23 = _mm256_unpacklo_pd(d[2], d[3]), high23 = _mm256_unpackhi_pd(d[2], d[3]);
     return (Columns){_mm256_permute2f128_pd(low01, low23, 0x20), _mm256_permute2f128_pd(high01, high23, 0x20),
                      _mm256_permute2f128_pd(low01, low23, 0x31), _mm256_permute2f128_pd(high01, high23, 0x31)};
 }
 
-__attribute__((target("avx2"), always_inline)) static inline void
-scatter(const TinkerMergedLines *lines, const int32_t *slots, int32_t i, __m256d fx, __m256d fy, double *force)
+__attribute__((target("avx2"), always_inline)) static inline void scatter(const int32_t *a, const int32_t *slots,
+                                                                         __m256d fx, __m256d fy, double *force)
 {
     __m256d low = _mm256_unpacklo_pd(fx, fy), high = _mm256_unpackhi_pd(fx, fy);
     __m128d f[4] = {_mm256_castpd256_pd128(low), _mm256_castpd256_pd128(high), _mm256_extractf128_pd(low, 1),
                     _mm256_extractf128_pd(high, 1)};
     for (int k = 0; k < 4; k++) {
-        double *on_a = force + 2 * (gsize)lines->a[i + k], *on_b = force + 2 * (gsize)slots[i + k];
+        double *on_a = force + 2 * (gsize)a[k], *on_b = force + 2 * (gsize)slots[k];
         _mm_storeu_pd(on_a, _mm_add_pd(_mm_loadu_pd(on_a), f[k]));
         _mm_storeu_pd(on_b, _mm_sub_pd(_mm_loadu_pd(on_b), f[k]));
     }
@@ -92,10 +92,15 @@ __attribute__((target("avx2"))) static double add_forces_avx2(const TinkerMerged
     const __m256d one = _mm256_set1_pd(1.0);
     const __m256d least = _mm256_set1_pd(fmax(TINKER_LEAST_SQUARE, lines->watched_square));
     const __m256d greatest = _mm256_set1_pd(TINKER_GREATEST_SQUARE);
+    /* as variables of their own: stores of vectors may alias what lines points to */
+    const int32_t *const a = lines->a, *const b = lines->b;
+    const double *const stiffness = lines->stiffness, *const lengths = lines->length;
+    const double *const damping = lines->damping, *const tension = lines->tension;
+    const gboolean any_damping = lines->any_damping;
     double taken = 0;
     int32_t i = first;
     for (; i + 4 <= end; i += 4) {
-        Columns d = differences(lines, i, points);
+        Columns d = differences(a + i, b + i, points);
         __m256d square = _mm256_add_pd(_mm256_mul_pd(d.x, d.x), _mm256_mul_pd(d.y, d.y));
         __m256d ordinary =
             _mm256_and_pd(_mm256_cmp_pd(square, least, _CMP_GE_OQ), _mm256_cmp_pd(square, greatest, _CMP_LE_OQ));
@@ -107,13 +112,13 @@ __attribute__((target("avx2"))) static double add_forces_avx2(const TinkerMerged
         __m256d inverse = _mm256_mul_pd(length, _mm256_div_pd(one, square));
         __m256d along = _mm256_add_pd(_mm256_mul_pd(d.x, d.vx), _mm256_mul_pd(d.y, d.vy));
         __m256d rate = _mm256_mul_pd(along, inverse);
-        __m256d resistance = _mm256_mul_pd(_mm256_loadu_pd(lines->damping + i), rate);
-        __m256d stretch = _mm256_sub_pd(length, _mm256_loadu_pd(lines->length + i));
-        __m256d elastic = _mm256_add_pd(_mm256_loadu_pd(lines->tension + i),
-                                        _mm256_mul_pd(_mm256_loadu_pd(lines->stiffness + i), stretch));
+        __m256d resistance = _mm256_mul_pd(_mm256_loadu_pd(damping + i), rate);
+        __m256d stretch = _mm256_sub_pd(length, _mm256_loadu_pd(lengths + i));
+        __m256d elastic = _mm256_add_pd(_mm256_loadu_pd(tension + i),
+                                        _mm256_mul_pd(_mm256_loadu_pd(stiffness + i), stretch));
         __m256d scale = _mm256_mul_pd(_mm256_add_pd(elastic, resistance), inverse);
-        scatter(lines, slots, i, _mm256_mul_pd(scale, d.x), _mm256_mul_pd(scale, d.y), force);
-        if (!lines->any_damping) continue;
+        scatter(a + i, slots + i, _mm256_mul_pd(scale, d.x), _mm256_mul_pd(scale, d.y), force);
+        if (!any_damping) continue;
         double power[4];
         _mm256_storeu_pd(power, _mm256_mul_pd(resistance, rate));
         for (int k = 0; k < 4; k++)
