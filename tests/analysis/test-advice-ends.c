@@ -110,8 +110,9 @@ static void test_support_is_added(void)
  * meant. */
 static void test_wound_ends(void)
 {
-    static const char *const blocks = "{'type': 'disc', 'name': 'Wheel'}, {'type': 'mass', 'name': 'M', 'position': "
-                                      "[0, -2]}, {'type': 'cord', 'name': 'Line', 'ends': ['M', 'Wheel']%s}";
+    static const char *const blocks =
+        "{'type': 'disc', 'position': [0, 0], 'name': 'Wheel'}, {'type': 'mass', 'name': 'M', 'position': "
+        "[0, -2]}, {'type': 'cord', 'name': 'Line', 'ends': ['M', 'Wheel']%s}";
     g_autofree char *wrong = g_strdup_printf(blocks, ""), *meant = g_strdup_printf(blocks, ", 'radius': 0.1");
     g_autoptr(StartFixture) f = start_fixture_new(wrong);
     advice_assert_only(f, TINKER_ADVICE_WOUND_ENDS, TRUE, "Line", "M is not round", "Swap its ends");
@@ -152,9 +153,10 @@ static void test_small_wheel(void)
  * turned against. */
 static void test_idle_turns(void)
 {
-    static const char *const blocks = "{'type': 'mass', 'name': 'M', 'position': [0, 3]}, {'type': 'disc', 'name': "
-                                      "'D'}, {'type': 'disc', 'name': 'E', 'position': [3, 0]}, {'type': 'support', "
-                                      "'name': 'S', 'position': [0, -3]}, {'type': '%s', 'name': 'By', 'ends': %s}";
+    static const char *const blocks =
+        "{'type': 'mass', 'name': 'M', 'position': [0, 3]}, {'type': 'disc', 'position': [0, 0], 'name': "
+        "'D'}, {'type': 'disc', 'name': 'E', 'position': [3, 0]}, {'type': 'support', "
+        "'name': 'S', 'position': [0, -3]}, {'type': '%s', 'name': 'By', 'ends': %s}";
     static const struct {
         const char *type, *ends, *part;
     } cases[] = {

@@ -51,14 +51,15 @@ static void test_three_masses(void)
 static void test_two_discs(void)
 {
     static const char *const words[] = {"turning in step", "turning against each other"};
-    assert_words("{'type': 'support', 'solid': false}, {'type': 'disc', 'radius': 0.5, 'solid': false},"
-                 "{'type': 'support', 'position': [2, 0], 'solid': false},"
-                 "{'type': 'disc', 'radius': 0.5, 'position': [2, 0], 'solid': false},"
-                 "{'type': 'pin', 'ends': ['Support 0', 'Disc 0']}, {'type': 'pin', 'ends': ['Support 1', 'Disc 1']},"
-                 "{'type': 'torsional-spring', 'ends': ['Support 0', 'Disc 0'], 'stiffness': 3},"
-                 "{'type': 'torsional-spring', 'ends': ['Disc 0', 'Disc 1'], 'stiffness': 2},"
-                 "{'type': 'torsional-spring', 'ends': ['Support 1', 'Disc 1'], 'stiffness': 3}",
-                 words, 2);
+    assert_words(
+        "{'type': 'support', 'solid': false}, {'type': 'disc', 'position': [0, 0], 'radius': 0.5, 'solid': false},"
+        "{'type': 'support', 'position': [2, 0], 'solid': false},"
+        "{'type': 'disc', 'radius': 0.5, 'position': [2, 0], 'solid': false},"
+        "{'type': 'pin', 'ends': ['Support 0', 'Disc 0']}, {'type': 'pin', 'ends': ['Support 1', 'Disc 1']},"
+        "{'type': 'torsional-spring', 'ends': ['Support 0', 'Disc 0'], 'stiffness': 3},"
+        "{'type': 'torsional-spring', 'ends': ['Disc 0', 'Disc 1'], 'stiffness': 2},"
+        "{'type': 'torsional-spring', 'ends': ['Support 1', 'Disc 1'], 'stiffness': 3}",
+        words, 2);
 }
 
 /* 1 kg on 4 N/m: 2 rad/s, 1/pi Hz, pi s. */

@@ -29,7 +29,7 @@ static void test_bar_on_springs(void)
     g_autoptr(ModesFixture) a = modes_about_rest(
         "{'type': 'support', 'position': [-1, -1], 'solid': false}, {'type': 'support', 'position': [1, -1], "
         "'solid': false},"
-        "{'type': 'bar', 'mass': 4, 'length': 2},"
+        "{'type': 'bar', 'position': [0, 0], 'mass': 4, 'length': 2},"
         "{'type': 'spring', 'stiffness': 50, 'ends': ['Support 0', {'block': 'Bar 0', 'at': [-1, 0]}]},"
         "{'type': 'spring', 'stiffness': 50, 'ends': [{'block': 'Bar 0', 'at': [1, 0]}, 'Support 1']}");
     modes_assert_frequencies(a, (const double[]){5, sqrt(75)}, 2);
@@ -47,7 +47,7 @@ static void test_turned_arm(void)
     for (gsize i = 0; i < G_N_ELEMENTS(beside); i++) {
         g_autofree char *blocks = g_strconcat(
             "{'type': 'support', 'solid': false}, {'type': 'support', 'position': [2, 0], 'solid': false},"
-            "{'type': 'bar', 'length': 1, 'orientation': 0.4},"
+            "{'type': 'bar', 'position': [0, 0], 'length': 1, 'orientation': 0.4},"
             "{'type': 'pin', 'ends': ['Support 0', 'Bar 0']},"
             "{'type': 'spring', 'stiffness': 10, 'rest_length': 1, 'ends': [{'block': 'Bar 0', 'at': [0.5, 0]}, "
             "'Support 1']}",
@@ -116,7 +116,7 @@ static void test_free_shaft(void)
 {
     g_autoptr(ModesFixture) a = modes_about_rest(
         "{'type': 'support', 'solid': false}, {'type': 'support', 'position': [1, 0], 'solid': false},"
-        "{'type': 'disc', 'inertia': 1, 'solid': false},"
+        "{'type': 'disc', 'position': [0, 0], 'inertia': 1, 'solid': false},"
         "{'type': 'disc', 'inertia': 0.7, 'position': [1, 0], 'solid': false},"
         "{'type': 'pin', 'ends': ['Support 0', 'Disc 0']}, {'type': 'pin', 'ends': ['Support 1', 'Disc 1']},"
         "{'type': 'torsional-spring', 'stiffness': 100, 'ends': ['Disc 0', 'Disc 1']},"
@@ -131,7 +131,7 @@ static void test_driven_gears(void)
 {
     g_autoptr(ModesFixture) a = modes_fixture_new(
         FALSE, "{'type': 'support', 'solid': false}, {'type': 'support', 'position': [1.2, 0], 'solid': false},"
-               "{'type': 'disc', 'radius': 0.3, 'solid': false},"
+               "{'type': 'disc', 'position': [0, 0], 'radius': 0.3, 'solid': false},"
                "{'type': 'disc', 'mass': 6, 'radius': 0.9, 'position': [1.2, 0], 'solid': false},"
                "{'type': 'pin', 'ends': ['Support 0', 'Disc 0']}, {'type': 'pin', 'ends': ['Support 1', 'Disc 1']},"
                "{'type': 'gear', 'ends': ['Disc 0', 'Disc 1'], 'ratio': 0.3333333333333333},"

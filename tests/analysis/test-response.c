@@ -62,7 +62,7 @@ static void test_turning(void)
 {
     const char *blocks =
         "{'type': 'support', 'solid': false}, {'type': 'support', 'position': [3, 0], 'solid': false},"
-        "{'type': 'disc', 'inertia': 0.5, 'orientation': 0.3, 'solid': false},"
+        "{'type': 'disc', 'position': [0, 0], 'inertia': 0.5, 'orientation': 0.3, 'solid': false},"
         "{'type': 'disc', 'inertia': 2, 'position': [3, 0], 'solid': false},"
         "{'type': 'pin', 'ends': ['Support 0', 'Disc 0']}, {'type': 'pin', 'ends': ['Support 1', 'Disc 1']},"
         "{'type': 'torsional-spring', 'stiffness': 12.5, 'ends': ['Support 0', 'Disc 0']},"

@@ -53,7 +53,7 @@ static void test_spinning(void)
 /* Free, it spins about its centre, which keeps its velocity. */
 static void test_spinning_freely(void)
 {
-    g_autoptr(StartFixture) f = start_fixture_new("{'type': 'disc', 'velocity': [2, 1]}");
+    g_autoptr(StartFixture) f = start_fixture_new("{'type': 'disc', 'position': [0, 0], 'velocity': [2, 1]}");
     start_apply(f, "Disc 0", TINKER_START_SPINNING, NULL, 4 * G_PI);
     g_assert_cmpfloat(start_fixture_get(f, "Disc 0", TINKER_MEANING_VELOCITY, 0), ==, 2);
     g_assert_false(start_is_offered(f, "Disc 0", TINKER_START_LEVEL, NULL)); /* round */

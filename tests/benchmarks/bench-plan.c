@@ -1,6 +1,7 @@
-/* What a plan says that each bundled scene will take, beside what its run takes: evaluations, which a test holds to a
- * factor of 3, and processor time, which depends on the machine. */
+/* What a plan says that each bundled scene, and chains of rods and of bars, will take, beside what its run takes:
+ * evaluations, which a test holds to a factor of 3, and processor time, which depends on the machine. */
 #include <math.h>
+#include <string.h>
 
 #include "build-catalogue.h"
 #include "physics/compile/compile.h"
@@ -12,6 +13,7 @@
 #include "physics/run/plan-trial.h"
 #include "physics/run/simulation.h"
 #include "report.h"
+#include "scene-text.h"
 #include "scene/read/scene-json.h"
 #include "subject.h"
 
@@ -49,7 +51,22 @@ static Cost seen(TinkerScene *scene, const TinkerRunOptions *options)
     return (Cost){(double)tinker_simulation_summary(simulation)->evaluations, benchmark_processor_time() - started};
 }
 
-static void measure(BenchmarkReport *report, TinkerCatalogue *catalogue, const char *name)
+static void measure(BenchmarkReport *report, TinkerScene *scene, const char *name, const TinkerRunOptions *options)
+{
+    const Cost expected = planned(scene, options);
+    Cost least = {0, INFINITY};
+    for (int i = 0; i < TRIES; i++) {
+        const Cost cost = seen(scene, options);
+        least = (Cost){cost.evaluations, fmin(least.seconds, cost.seconds)};
+    }
+    benchmark_report_figure(report, name, "evaluations, expected", expected.evaluations, "", NAN);
+    benchmark_report_figure(report, name, "evaluations, seen", least.evaluations, "", NAN);
+    benchmark_report_figure(report, name, "time, expected", 1e6 * expected.seconds, "µs", NAN);
+    benchmark_report_figure(report, name, "time, seen", 1e6 * least.seconds, "µs", NAN);
+    benchmark_report_figure(report, name, "time, seen over expected", least.seconds / expected.seconds, "", NAN);
+}
+
+static void measure_file(BenchmarkReport *report, TinkerCatalogue *catalogue, const char *name)
 {
     g_autoptr(GError) error = NULL;
     g_autofree char *path = g_build_filename(g_getenv("TINKER_SCENES"), name, NULL);
@@ -57,16 +74,31 @@ static void measure(BenchmarkReport *report, TinkerCatalogue *catalogue, const c
     if (scene == NULL) g_error("%s", error->message);
     TinkerRunOptions options = tinker_run_options_of(scene);
     options.estimate = FALSE;
-    const Cost expected = planned(scene, &options);
-    Cost least = {0, INFINITY};
-    for (int i = 0; i < TRIES; i++) {
-        const Cost cost = seen(scene, &options);
-        least = (Cost){cost.evaluations, fmin(least.seconds, cost.seconds)};
+    measure(report, scene, name, &options);
+}
+
+/* Chains of 10 m that hang in a slight curve: each step has the same rows to solve, so that the time is theirs. */
+static void measure_chains(BenchmarkReport *report, TinkerCatalogue *catalogue, gboolean bars)
+{
+    static const char *const methods[] = {"verlet", "rk4", "dopri5"};
+    static const int sizes[] = {50, 200, 1000};
+    for (gsize k = 0; k < G_N_ELEMENTS(sizes) * G_N_ELEMENTS(methods); k++) {
+        const int n = sizes[k / G_N_ELEMENTS(methods)];
+        const char *method = methods[k % G_N_ELEMENTS(methods)];
+        g_autofree char *name = g_strdup_printf("chain of %d %s, %s", n, bars ? "bars" : "rods", method);
+        if (!benchmark_report_wants(report, name)) continue;
+        g_autoptr(GError) error = NULL;
+        g_autofree double *angles = benchmark_hanging_angles(n);
+        g_autofree char *text = bars ? benchmark_bars(n, angles, 10.0 / n) : benchmark_chain(n, angles, 10.0 / n);
+        g_autoptr(TinkerScene) scene = tinker_scene_read_text(catalogue, text, strlen(text), NULL, NULL, &error);
+        if (scene == NULL) g_error("%s", error->message);
+        TinkerRunOptions options = tinker_run_options_of(scene);
+        options.estimate = FALSE;
+        options.method = method;
+        options.step = n < 1000 ? 1e-3 : 1e-4;
+        options.duration = 500 * options.step;
+        measure(report, scene, name, &options);
     }
-    benchmark_report_figure(report, name, "evaluations, expected", expected.evaluations, "", NAN);
-    benchmark_report_figure(report, name, "evaluations, seen", least.evaluations, "", NAN);
-    benchmark_report_figure(report, name, "time, expected", 1e6 * expected.seconds, "µs", NAN);
-    benchmark_report_figure(report, name, "time, seen", 1e6 * least.seconds, "µs", NAN);
 }
 
 int main(int argc, char **argv)
@@ -77,7 +109,9 @@ int main(int argc, char **argv)
     for (const char *name = folder == NULL ? NULL : g_dir_read_name(folder); name != NULL;
          name = g_dir_read_name(folder))
         if (g_str_has_suffix(name, ".tinker.json") && benchmark_report_wants(report, name))
-            measure(report, catalogue, name);
+            measure_file(report, catalogue, name);
+    measure_chains(report, catalogue, FALSE);
+    measure_chains(report, catalogue, TRUE);
     tinker_catalogue_free(catalogue);
     return benchmark_report_end(report);
 }

@@ -105,7 +105,8 @@ static void test_small_wheel(CliFixture *fixture, gconstpointer data)
     g_autofree char *scene = cli_write(
         fixture, "a.json",
         "{\"tinker\": 1, \"run\": {\"duration\": 0.1}, \"blocks\": [{\"type\": \"support\", \"name\": \"Axle\", "
-        "\"solid\": false}, {\"type\": \"disc\", \"name\": \"Wheel\"}, {\"type\": \"pin\", \"ends\": [\"Axle\", "
+        "\"solid\": false}, {\"type\": \"disc\", \"position\": [0, 0], \"name\": \"Wheel\"}, {\"type\": \"pin\", "
+        "\"ends\": [\"Axle\", "
         "\"Wheel\"]}, {\"type\": \"mass\", \"name\": \"A\", \"position\": [-1, -2]}, {\"type\": \"mass\", \"name\": "
         "\"B\", \"position\": [1, -2]}, {\"type\": \"rope\", \"name\": \"Line\", \"ends\": [\"A\", \"Wheel\", "
         "\"B\"]}]}");
@@ -318,7 +319,8 @@ static void test_contradictions(CliFixture *fixture, gconstpointer data)
         g_autofree char *text = g_strconcat(
             "{\"tinker\": 1, \"blocks\": [{\"type\": \"support\", \"name\": \"S\", \"solid\": false},"
             "{\"type\": \"support\", \"name\": \"T\", \"position\": [1, 0], \"solid\": false},\n"
-            "{\"type\": \"disc\", \"name\": \"D\"}, {\"type\": \"disc\", \"name\": \"E\", \"position\": [1, 0]},"
+            "{\"type\": \"disc\", \"position\": [0, 0], \"name\": \"D\"}, {\"type\": \"disc\", \"name\": \"E\", "
+            "\"position\": [1, 0]},"
             "{\"type\": \"mass\", \"name\": \"M\", \"position\": [0, 1]},\n"
             "{\"type\": \"pin\", \"ends\": [\"S\", \"D\"]}, {\"type\": \"pin\", \"ends\": [\"T\", \"E\"]},\n",
             cases[i / 2][0], "]}\n", NULL);

@@ -146,7 +146,7 @@ static void test_torque_picture(CliFixture *fixture, gconstpointer data)
     cairo_surface_t *pictures[G_N_ELEMENTS(amplitudes)];
     for (gsize i = 0; i < G_N_ELEMENTS(amplitudes); i++) {
         g_autofree char *torque = g_strdup_printf(
-            SCENE("{\"type\": \"disc\", \"name\": \"Bob\"},"
+            SCENE("{\"type\": \"disc\", \"position\": [0, 0], \"name\": \"Bob\"},"
                   "{\"type\": \"torque\", \"name\": \"Torque\", \"ends\": [\"Bob\"], \"amplitude\": %d}"),
             amplitudes[i]);
         g_autofree char *path = cli_write(fixture, "scene.json", torque);
@@ -166,10 +166,10 @@ static void test_torque_value(CliFixture *fixture, gconstpointer data)
     cairo_surface_t *pictures[G_N_ELEMENTS(amplitudes)];
     gsize differences = 0;
     for (gsize i = 0; i < G_N_ELEMENTS(amplitudes); i++) {
-        g_autofree char *torque =
-            g_strdup_printf(SCENE("{\"type\": \"disc\", \"name\": \"Bob\"}, {\"type\": \"torque\", \"name\": "
-                                  "\"Torque of the second motor\", \"ends\": [\"Bob\"], \"amplitude\": %s}"),
-                            amplitudes[i]);
+        g_autofree char *torque = g_strdup_printf(
+            SCENE("{\"type\": \"disc\", \"position\": [0, 0], \"name\": \"Bob\"}, {\"type\": \"torque\", \"name\": "
+                  "\"Torque of the second motor\", \"ends\": [\"Bob\"], \"amplitude\": %s}"),
+            amplitudes[i]);
         g_autofree char *path = cli_write(fixture, "scene.json", torque);
         pictures[i] = draw_diagram(fixture, "0", "640x470");
     }
@@ -269,7 +269,8 @@ static double written_at(cairo_surface_t *surface, int left, int top, int right,
 static void test_torque_label_is_measured(CliFixture *fixture, gconstpointer data)
 {
     static const char scene[] =
-        "{\"tinker\": 1, \"blocks\": [{\"type\": \"disc\", \"name\": \"Bob\", \"radius\": 0.5}, {\"type\": \"torque\", "
+        "{\"tinker\": 1, \"blocks\": [{\"type\": \"disc\", \"position\": [0, 0], \"name\": \"Bob\", \"radius\": 0.5}, "
+        "{\"type\": \"torque\", "
         "\"name\": \"M\", \"ends\": [\"Bob\"], \"amplitude\": 3}, {\"type\": \"motor\", \"name\": \"F\", \"ends\": "
         "[{\"block\": \"Bob\", \"at\": [0.5, 0.5]}], \"angle\": \"-24 deg\", \"amplitude\": 10}]}";
     g_autofree char *path = cli_write(fixture, "scene.json", scene);

@@ -98,7 +98,8 @@ static void test_rolling_off(CliFixture *fixture, gconstpointer data)
     g_autofree char *text = g_strdup_printf(
         "{\"tinker\": 1, \"blocks\": [{\"type\": \"gravity\"},"
         "{\"type\": \"support\", \"name\": \"Base\", \"solid\": false},"
-        "{\"type\": \"disc\", \"name\": \"Dome\", \"radius\": %g}, {\"type\": \"weld\", \"ends\": [\"Base\", "
+        "{\"type\": \"disc\", \"position\": [0, 0], \"name\": \"Dome\", \"radius\": %g}, {\"type\": \"weld\", "
+        "\"ends\": [\"Base\", "
         "\"Dome\"]},"
         "{\"type\": \"disc\", \"name\": \"Ball\", \"mass\": 2, \"radius\": %g, \"position\": [%.17g, %.17g],"
         " \"static_friction\": 0.9, \"dynamic_friction\": 0.9}]}",

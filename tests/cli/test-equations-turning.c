@@ -12,7 +12,7 @@ static void test_torque(CliFixture *fixture, gconstpointer data)
     g_autofree char *scene = cli_write(
         fixture, "scene.json",
         "{\"tinker\": 1, \"blocks\": [{\"type\": \"support\", \"name\": \"Axle\", \"solid\": false},"
-        "{\"type\": \"disc\", \"name\": \"Disc\", \"solid\": false, \"orientation\": 0.2},"
+        "{\"type\": \"disc\", \"position\": [0, 0], \"name\": \"Disc\", \"solid\": false, \"orientation\": 0.2},"
         "{\"type\": \"pin\", \"ends\": [\"Axle\", \"Disc\"]},"
         "{\"type\": \"torsional-spring\", \"name\": \"Coil\", \"ends\": [\"Axle\", \"Disc\"], \"stiffness\": 3, "
         "\"rest_angle\": 0}]}");
@@ -123,7 +123,8 @@ static void test_units(CliFixture *fixture, gconstpointer data)
     g_autofree char *scene =
         cli_write(fixture, "scene.json",
                   "{\"tinker\": 1, \"blocks\": [{\"type\": \"support\", \"name\": \"Axle\", \"solid\": false},"
-                  "{\"type\": \"disc\", \"name\": \"A\", \"solid\": false}, {\"type\": \"disc\", \"name\": \"B\", "
+                  "{\"type\": \"disc\", \"position\": [0, 0], \"name\": \"A\", \"solid\": false}, {\"type\": \"disc\", "
+                  "\"position\": [0, 0], \"name\": \"B\", "
                   "\"solid\": false},"
                   "{\"type\": \"pin\", \"ends\": [\"Axle\", \"A\"]}, {\"type\": \"pin\", \"ends\": [\"Axle\", \"B\"]},"
                   "{\"type\": \"gear\", \"name\": \"Pair\", \"ends\": [\"A\", \"B\"]},"

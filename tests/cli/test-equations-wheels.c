@@ -17,9 +17,10 @@ static void test_gears(CliFixture *fixture, gconstpointer data)
     g_autofree char *scene = cli_write(
         fixture, "scene.json",
         "{\"tinker\": 1, \"blocks\": [{\"type\": \"support\", \"name\": \"Axle\", \"solid\": false},"
-        "{\"type\": \"disc\", \"name\": \"A\", \"solid\": false, \"inertia\": 0.5},"
-        "{\"type\": \"disc\", \"name\": \"B\", \"solid\": false, \"inertia\": 2, \"orientation\": 0.3},"
-        "{\"type\": \"disc\", \"name\": \"C\", \"solid\": false, \"inertia\": 3},"
+        "{\"type\": \"disc\", \"position\": [0, 0], \"name\": \"A\", \"solid\": false, \"inertia\": 0.5},"
+        "{\"type\": \"disc\", \"position\": [0, 0], \"name\": \"B\", \"solid\": false, \"inertia\": 2, "
+        "\"orientation\": 0.3},"
+        "{\"type\": \"disc\", \"position\": [0, 0], \"name\": \"C\", \"solid\": false, \"inertia\": 3},"
         "{\"type\": \"pin\", \"ends\": [\"Axle\", \"A\"]}, {\"type\": \"pin\", \"ends\": [\"Axle\", \"B\"]},"
         "{\"type\": \"pin\", \"ends\": [\"Axle\", \"C\"]},"
         "{\"type\": \"gear\", \"name\": \"Outer\", \"ends\": [\"A\", \"B\"], \"ratio\": 0.4},"
@@ -86,7 +87,7 @@ static void test_drive(CliFixture *fixture, gconstpointer data)
     g_autofree char *scene = cli_write(
         fixture, "scene.json",
         "{\"tinker\": 1, \"blocks\": [{\"type\": \"support\", \"name\": \"Axle\", \"solid\": false},"
-        "{\"type\": \"disc\", \"name\": \"Crank\", \"solid\": false, \"inertia\": 0.5},"
+        "{\"type\": \"disc\", \"position\": [0, 0], \"name\": \"Crank\", \"solid\": false, \"inertia\": 0.5},"
         "{\"type\": \"pin\", \"ends\": [\"Axle\", \"Crank\"]},"
         "{\"type\": \"drive\", \"name\": \"Drive\", \"ends\": [\"Crank\", \"Axle\"], \"speed\": 2, \"waveform\": "
         "\"cosine\", \"amplitude\": 0.3, \"frequency\": 5}]}");

@@ -26,7 +26,7 @@ static void test_torque_header(CliFixture *fixture, gconstpointer data)
     g_autofree char *scene = cli_write(
         fixture, "a.json",
         "{\"tinker\": 1, \"run\": {\"duration\": 0.1}, \"blocks\": [{\"type\": \"support\", \"solid\": false},"
-        "{\"type\": \"disc\"}, {\"type\": \"pin\", \"ends\": [\"Support 0\", \"Disc 0\"]},"
+        "{\"type\": \"disc\", \"position\": [0, 0]}, {\"type\": \"pin\", \"ends\": [\"Support 0\", \"Disc 0\"]},"
         "{\"type\": \"torsional-spring\", \"ends\": [\"Support 0\", \"Disc 0\"]}]}");
     g_autoptr(TestProgram) program = cli_run_well(
         fixture,

@@ -52,7 +52,7 @@ static void test_wound(void)
 {
     g_autoptr(PlayerFixture) fixture = player_fixture_new(
         "'run': {'duration': 1.5, 'interval': 0.01}, 'blocks': [{'type': 'support', 'name': 'S', 'solid': false},"
-        "{'type': 'disc', 'name': 'D', 'radius': 0.1, 'angular_velocity': 10, 'solid': false},"
+        "{'type': 'disc', 'position': [0, 0], 'name': 'D', 'radius': 0.1, 'angular_velocity': 10, 'solid': false},"
         "{'type': 'pin', 'ends': ['S', 'D']}, {'type': 'mass', 'name': 'M', 'position': [1, 0]},"
         "{'type': 'cord', 'name': 'C', 'ends': ['D', 'M'], 'length': 3}]");
     const TinkerBlockId cord = tinker_scene_find_block(tinker_document_scene(fixture->document), "C");

@@ -86,7 +86,7 @@ static void test_torques(void)
 {
     static const char blocks[] =
         "{\"type\": \"support\", \"name\": \"Axle\", \"solid\": false},"
-        "{\"type\": \"disc\", \"name\": \"A\", \"solid\": false},"
+        "{\"type\": \"disc\", \"position\": [0, 0], \"name\": \"A\", \"solid\": false},"
         "{\"type\": \"torque\", \"name\": \"M\", \"ends\": [\"A\", \"Axle\"], \"amplitude\": 7}";
     static const char *const units[][2] = {
         {"{M.torque}", "N·m"},

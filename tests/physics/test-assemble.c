@@ -138,10 +138,10 @@ static void test_rods(void)
 static void test_out_of_reach(void)
 {
     g_autoptr(GError) error = NULL;
-    g_autoptr(TinkerScene) scene =
-        physics_scene(NULL, "{'type': 'support'}, {'type': 'support', 'position': [5, 0]}, {'type': 'bar'},"
-                            "{'type': 'pin', 'ends': ['Support 0', {'block': 'Bar 0', 'at': [-0.5, 0]}]},"
-                            "{'type': 'pin', 'ends': ['Support 1', {'block': 'Bar 0', 'at': [0.5, 0]}]}");
+    g_autoptr(TinkerScene) scene = physics_scene(
+        NULL, "{'type': 'support'}, {'type': 'support', 'position': [5, 0]}, {'type': 'bar', 'position': [0, 0]},"
+              "{'type': 'pin', 'ends': ['Support 0', {'block': 'Bar 0', 'at': [-0.5, 0]}]},"
+              "{'type': 'pin', 'ends': ['Support 1', {'block': 'Bar 0', 'at': [0.5, 0]}]}");
     const TinkerHeldBody held = {tinker_scene_find_block(scene, "Bar 0"), TRUE, FALSE};
     g_assert_null(tinker_assemble(scene, &held, &error));
     g_assert_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_CONTRADICTION);

@@ -35,7 +35,8 @@ static void test_free_bar(void)
                                   .duration = 2,
                                   .step = 0.02,
                                   .columns = "Bar 0.vy, Bar 0.angular velocity, Bar 0.y, Bar 0.angle, Bar 0.vx"},
-                BAR "}, {'type': 'impulse', 'ends': [{'block': 'Bar 0', 'at': [0.5, 0]}], 'impulse': 6, 'angle': %.17g,"
+                BAR ", 'position': [0, 0]}, {'type': 'impulse', 'ends': [{'block': 'Bar 0', 'at': [0.5, 0]}], "
+                    "'impulse': 6, 'angle': %.17g,"
                     " 'time': %.17g}",
                 UP, times[k]);
             physics_assert_near("at rest before", physics_value(run, 1, 0), 0, 0);
@@ -75,7 +76,8 @@ static void test_turning_blows(void)
 {
     g_autoptr(PhysicsRun) run = physics_run(
         &(PhysicsOptions){.duration = 1, .columns = "Bar 0.angular velocity, Bar 0.vx, Bar 0.vy"},
-        BAR "}, {'type': 'impulse', 'ends': [{'block': 'Bar 0', 'at': [1, 0]}], 'angular_impulse': 5, 'time': 0.5},"
+        BAR ", 'position': [0, 0]}, {'type': 'impulse', 'ends': [{'block': 'Bar 0', 'at': [1, 0]}], 'angular_impulse': "
+            "5, 'time': 0.5},"
             "{'type': 'impulse', 'ends': [{'block': 'Bar 0', 'at': [-1, 0]}], 'angular_impulse': -2, 'time': 0.5}");
     physics_assert_near("w", physics_last(run, 0), 3, 1e-12);
     physics_assert_near("vx", physics_last(run, 1), 0, 0);
@@ -128,7 +130,7 @@ static void test_gears_and_drives(void)
 {
     g_autoptr(PhysicsRun) gears =
         physics_run(&(PhysicsOptions){.duration = 1, .columns = "Disc 0.angular velocity, Disc 1.angular velocity"},
-                    GROUND "{'type': 'disc', 'mass': 2, 'radius': 0.5, 'solid': false},"
+                    GROUND "{'type': 'disc', 'position': [0, 0], 'mass': 2, 'radius': 0.5, 'solid': false},"
                            "{'type': 'disc', 'mass': 3, 'radius': 1, 'position': [3, 0], 'solid': false},"
                            "{'type': 'pin', 'ends': ['Support 0', 'Disc 0']},"
                            "{'type': 'pin', 'ends': [{'block': 'Support 0', 'at': [3, 0]}, 'Disc 1']},"
@@ -138,7 +140,7 @@ static void test_gears_and_drives(void)
     physics_assert_near("second", physics_last(gears, 1), -1 / (0.25 + 0.25 * 1.5), 1e-11);
     g_autoptr(PhysicsRun) driven =
         physics_run(&(PhysicsOptions){.duration = 1, .columns = "Disc 0.angular velocity"},
-                    GROUND "{'type': 'disc', 'angular_velocity': 2, 'solid': false},"
+                    GROUND "{'type': 'disc', 'position': [0, 0], 'angular_velocity': 2, 'solid': false},"
                            "{'type': 'pin', 'ends': ['Support 0', 'Disc 0']},"
                            "{'type': 'drive', 'ends': ['Disc 0', 'Support 0'], 'speed': 2},"
                            "{'type': 'impulse', 'ends': ['Disc 0'], 'angular_impulse': 5, 'time': 0.3}");

@@ -202,9 +202,10 @@ static void assert_turns_evenly(const char *method, double w, double t, const ch
 static void test_even(void)
 {
     static const char *const methods[] = {"dopri5", "dop853", "cvode-bdf"};
-    static const char driven[] = "{'type': 'disc'}, {'type': 'drive', 'ends': ['Disc 0', 'Support 0'], 'speed': 1}";
+    static const char driven[] =
+        "{'type': 'disc', 'position': [0, 0]}, {'type': 'drive', 'ends': ['Disc 0', 'Support 0'], 'speed': 1}";
     /* its velocity changes by 1e-7 of itself */
-    static const char heavy[] = "{'type': 'disc', 'inertia': 1e7, 'angular_velocity': 1}";
+    static const char heavy[] = "{'type': 'disc', 'position': [0, 0], 'inertia': 1e7, 'angular_velocity': 1}";
     for (gsize i = 0; i < G_N_ELEMENTS(methods); i++) {
         assert_turns_evenly(methods[i], 20, 5, driven, 1e-4);
         assert_turns_evenly(methods[i], 8 * G_PI, 5, driven, 1e-4);

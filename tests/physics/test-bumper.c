@@ -101,7 +101,7 @@ static void test_turning(void)
 {
     g_autoptr(PhysicsRun) run = physics_run(
         &(PhysicsOptions){.duration = 2, .tolerance = 1e-11, .columns = "Bar 0.angular velocity, Bumper 0.force"},
-        "{'type': 'support', 'solid': false}, {'type': 'bar', 'length': 2, 'angular_velocity': 2},"
+        "{'type': 'support', 'solid': false}, {'type': 'bar', 'position': [0, 0], 'length': 2, 'angular_velocity': 2},"
         "{'type': 'pin', 'ends': ['Support 0', 'Bar 0']},"
         "{'type': 'support', 'position': [0, 2], 'solid': false},"
         "{'type': 'bumper', 'ends': ['Support 1', {'block': 'Bar 0', 'at': [1, 0]}], 'length': 1.2}");

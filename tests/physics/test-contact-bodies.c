@@ -15,7 +15,7 @@ static void test_discs(void)
         PhysicsOptions options =
             contact_options(&contact_methods[i], 2, "Disc 0.x, Disc 1.x, Disc 0.vx, Disc 1.vx, Disc 0.angle");
         g_autoptr(PhysicsRun) run =
-            physics_run(&options, "{'type': 'disc', 'radius': 0.3, 'velocity': [2, 0]},"
+            physics_run(&options, "{'type': 'disc', 'position': [0, 0], 'radius': 0.3, 'velocity': [2, 0]},"
                                   "{'type': 'disc', 'radius': 0.2, 'mass': 3, 'position': [1.5, 0]}");
         contact_assert_event(run, "rest", "Disc 0, Disc 1", 0.5, 1e-9);
         physics_assert_near("vx", physics_last(run, 2), 0.5, 1e-10);
@@ -38,14 +38,14 @@ static void test_disc_strikes_box(void)
         physics_run(&(PhysicsOptions){.duration = 0.7,
                                       .columns = "Box 0.vx, Box 0.vy, Box 0.angular velocity, Disc 0.vx, Disc 0.vy,"
                                                  "Disc 0.angular velocity"},
-                    "{'type': 'box', 'width': 0.8, 'height': 0.6},"
+                    "{'type': 'box', 'position': [0, 0], 'width': 0.8, 'height': 0.6},"
                     "{'type': 'disc', 'radius': 0.2, 'position': [0.1, 1.4], 'velocity': [0, -1.5]}");
     contact_assert_event(run, "rest", "Box 0, Disc 0", 0.6, 1e-12);
     g_autoptr(PhysicsRun) just =
         physics_run(&(PhysicsOptions){.duration = 0.6 + 1e-9,
                                       .columns = "Box 0.vx, Box 0.vy, Box 0.angular velocity, Disc 0.vx, Disc 0.vy,"
                                                  "Disc 0.angular velocity"},
-                    "{'type': 'box', 'width': 0.8, 'height': 0.6},"
+                    "{'type': 'box', 'position': [0, 0], 'width': 0.8, 'height': 0.6},"
                     "{'type': 'disc', 'radius': 0.2, 'position': [0.1, 1.4], 'velocity': [0, -1.5]}");
     physics_assert_near("vx", physics_last(just, 0), -along, 1e-7);
     physics_assert_near("vy", physics_last(just, 1), -normal, 1e-7);
@@ -116,12 +116,12 @@ static void test_passes(void)
 {
     g_autoptr(PhysicsRun) joined =
         physics_run(&(PhysicsOptions){.duration = 1, .columns = "Box 1.angle"},
-                    "{'type': 'box'}, {'type': 'box', 'position': [0.4, 0], 'angular_velocity': 1},"
+                    "{'type': 'box', 'position': [0, 0]}, {'type': 'box', 'position': [0.4, 0], 'angular_velocity': 1},"
                     "{'type': 'pin', 'ends': [{'block': 'Box 0', 'at': [0.4, 0]}, 'Box 1']}");
     physics_assert_near("turns", physics_last(joined, 0), 1, 1e-12);
     g_autoptr(PhysicsRun) over =
         physics_run(&(PhysicsOptions){.duration = 1, .columns = "Box 1.x"},
-                    "{'type': 'box'}, {'type': 'box', 'position': [0.4, 0], 'velocity': [1, 0]}");
+                    "{'type': 'box', 'position': [0, 0]}, {'type': 'box', 'position': [0.4, 0], 'velocity': [1, 0]}");
     physics_assert_near("x", physics_last(over, 0), 1.4, 1e-12);
     g_assert_cmpuint(over->summary->events->len, ==, 0);
 }
@@ -138,10 +138,11 @@ static void test_rebounds(void)
                  {", 'restitution': 0.5", ", 'restitution': 0.75", 0.75},
                  {", 'restitution': 1", ", 'restitution': 0", 1}};
     for (gsize i = 0; i < G_N_ELEMENTS(cases); i++) {
-        g_autoptr(PhysicsRun) run = physics_run(&(PhysicsOptions){.duration = 1, .columns = "Disc 0.vx, Disc 1.vx"},
-                                                "{'type': 'disc', 'radius': 0.3, 'velocity': [2, 0]%s},"
-                                                "{'type': 'disc', 'radius': 0.2, 'mass': 3, 'position': [1.5, 0]%s}",
-                                                cases[i].first, cases[i].second);
+        g_autoptr(PhysicsRun) run =
+            physics_run(&(PhysicsOptions){.duration = 1, .columns = "Disc 0.vx, Disc 1.vx"},
+                        "{'type': 'disc', 'position': [0, 0], 'radius': 0.3, 'velocity': [2, 0]%s},"
+                        "{'type': 'disc', 'radius': 0.2, 'mass': 3, 'position': [1.5, 0]%s}",
+                        cases[i].first, cases[i].second);
         physics_assert_near("vx", physics_last(run, 0), 0.5 * (1 - 3 * cases[i].e), 1e-12);
         physics_assert_near("the other's", physics_last(run, 1), 0.5 * (1 + cases[i].e), 1e-12);
     }
@@ -288,7 +289,8 @@ static void test_gears_do_not_meet(void)
 /* So many discs in a row, a metre apart, of which the first comes to the second at 2 m/s; `more` behind them. */
 static PhysicsRun *row_of(int discs, gboolean impulses, const char *more)
 {
-    g_autoptr(GString) blocks = g_string_new("{'type': 'disc', 'radius': 0.2, 'velocity': [2, 0], 'restitution': 0}");
+    g_autoptr(GString) blocks =
+        g_string_new("{'type': 'disc', 'position': [0, 0], 'radius': 0.2, 'velocity': [2, 0], 'restitution': 0}");
     for (int i = 1; i < discs; i++)
         g_string_append_printf(blocks, ", {'type': 'disc', 'radius': 0.2, 'position': [%d, 0], 'restitution': 0}", i);
     return physics_run(&(PhysicsOptions){.duration = 0.5, .columns = "Disc 0.vx", .impulses = impulses}, "%s%s",
@@ -324,7 +326,7 @@ static void test_too_many(void)
 static void test_too_many_plates(void)
 {
     for (int plates = 64; plates <= 65; plates++) {
-        g_autoptr(GString) blocks = g_string_new("{'type': 'plate'}");
+        g_autoptr(GString) blocks = g_string_new("{'type': 'plate', 'position': [0, 0]}");
         for (int i = 1; i < plates; i++)
             g_string_append_printf(blocks, ", {'type': 'plate', 'position': [%d, 0]}", 3 * i);
         g_autoptr(PhysicsRun) run = physics_run(&(PhysicsOptions){.duration = 0.01}, "%s", blocks->str);

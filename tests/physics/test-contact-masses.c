@@ -160,7 +160,7 @@ static void test_disc(void)
     for (int collides = FALSE; collides <= TRUE; collides++) {
         g_autoptr(PhysicsRun) run = physics_run(
             &(PhysicsOptions){.duration = 2, .columns = "Disc 0.vx, Mass 0.vx"},
-            "{'type': 'disc', 'radius': 0.3, 'velocity': [1, 0], 'restitution': 1},"
+            "{'type': 'disc', 'position': [0, 0], 'radius': 0.3, 'velocity': [1, 0], 'restitution': 1},"
             "{'type': 'mass', 'mass': 3, 'width': 0.4, 'height': 0.4, 'position': [1.5, 0], 'collides': %s}",
             collides ? "true" : "false");
         contact_assert_count(run, "impact", collides);

@@ -208,11 +208,12 @@ static void test_tables(void)
  * that goes on from there, also where it comes taut later on. */
 static void test_wound(void)
 {
-    static const char blocks[] = "{'type': 'support', 'name': 'S', 'solid': false},"
-                                 "{'type': 'disc', 'name': 'D', 'radius': 0.1, 'angular_velocity': 10, 'solid': false},"
-                                 "{'type': 'pin', 'ends': ['S', 'D']}, {'type': 'rod', 'ends': ['S', 'M']},"
-                                 "{'type': 'mass', 'name': 'M', 'position': [1, 0], 'velocity': [0, 4]},"
-                                 "{'type': 'cord', 'name': 'C', 'ends': ['D', 'M'], 'length': 5}";
+    static const char blocks[] =
+        "{'type': 'support', 'name': 'S', 'solid': false},"
+        "{'type': 'disc', 'position': [0, 0], 'name': 'D', 'radius': 0.1, 'angular_velocity': 10, 'solid': false},"
+        "{'type': 'pin', 'ends': ['S', 'D']}, {'type': 'rod', 'ends': ['S', 'M']},"
+        "{'type': 'mass', 'name': 'M', 'position': [1, 0], 'velocity': [0, 4]},"
+        "{'type': 'cord', 'name': 'C', 'ends': ['D', 'M'], 'length': 5}";
     g_autoptr(TinkerScene) scene = physics_scene(NULL, blocks);
     const TinkerBlockId cord = tinker_scene_find_block(scene, "C");
     g_autoptr(GError) error = NULL;

@@ -10,7 +10,7 @@
 #define GRAVITY "{'type': 'gravity'}, "
 #define GROUND  "{'type': 'support', 'solid': false}, "
 /* 2 kg, 0.5 m, 0.25 kg m^2. */
-#define DISC "{'type': 'disc', 'mass': 2, 'radius': 0.5, 'solid': false"
+#define DISC "{'type': 'disc', 'position': [0, 0], 'mass': 2, 'radius': 0.5, 'solid': false"
 #define AXLE "{'type': 'pin', 'ends': ['Support 0', 'Disc 0']}, "
 #define G    9.81
 

@@ -180,8 +180,36 @@ static void test_buckling(gconstpointer data)
     }
 }
 
+/* Smooth discs that run into one another on a floor, of which the first goes round its end: what presses two of them
+ * together is all that couples them. Against an explicit method of order 8. */
+static void test_pressed_discs(gconstpointer data)
+{
+    static const char *const blocks =
+        "{'type': 'gravity'}, {'type': 'support', 'position': [0, -0.2], 'width': 2, 'height': 0.4,"
+        " 'static_friction': 0, 'dynamic_friction': 0},"
+        "{'type': 'disc', 'position': [0.9, 0.13404060190403086], 'radius': 0.13404060190403086, 'mass': 0.76,"
+        " 'velocity': [0.12, 0], 'static_friction': 0, 'dynamic_friction': 0},"
+        "{'type': 'disc', 'position': [0.35, 0.23801296523990828], 'radius': 0.23801296523990828, 'mass': 1.33,"
+        " 'velocity': [1.14, 0], 'static_friction': 0, 'dynamic_friction': 0},"
+        "{'type': 'disc', 'position': [-0.2, 0.1515738836889722], 'radius': 0.1515738836889722, 'mass': 1.19,"
+        " 'velocity': [1.71, 0], 'static_friction': 0, 'dynamic_friction': 0}";
+    PhysicsOptions options = {.duration = 0.6,
+                              .tolerance = 1e-11,
+                              .method = "dop853",
+                              .columns = "Disc 0.x, Disc 0.y, Disc 1.x, Disc 1.y, Disc 2.x"};
+    g_autoptr(PhysicsRun) truth = physics_run(&options, "%s", blocks);
+    options.method = data;
+    for (int finer = 0; finer < 2; finer++) {
+        options.step = finer ? 1e-3 : 5e-3;
+        g_autoptr(PhysicsRun) run = physics_run(&options, "%s", blocks);
+        for (gsize column = 0; column < 5; column++)
+            physics_assert_near("place", physics_last(run, column), physics_last(truth, column), finer ? 4e-7 : 1e-5);
+    }
+}
+
 static void add_tests(void)
 {
+    add_methods("pressed-discs", test_pressed_discs);
     add_methods("stiff-spring-and-rod", test_stiff_spring_and_rod);
     add_methods("pendulum-energy", test_pendulum_energy);
     add_methods("asked-line", test_asked_line);

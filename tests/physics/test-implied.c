@@ -183,7 +183,7 @@ static void test_given_beside_stored(void)
                               .interval = 0.37,
                               .step = 0.001,
                               .columns = "Scene.supplied energy, Scene.stored energy, Scene.energy"},
-            "{'type': 'support', 'solid': false}, {'type': 'disc', 'name': 'A', 'inertia': 0.5},"
+            "{'type': 'support', 'solid': false}, {'type': 'disc', 'position': [0, 0], 'name': 'A', 'inertia': 0.5},"
             "{'type': 'support', 'solid': false, 'position': [3, 0]}, {'type': 'disc', 'name': 'B', 'inertia': 0.5,"
             " 'position': [3, 0], 'angular_velocity': 2},"
             "{'type': 'pin', 'ends': ['Support 0', 'A']}, {'type': 'pin', 'ends': ['Support 1', 'B']},"

@@ -120,7 +120,8 @@ static void test_rounded_at_start(void)
         physics_run(&(PhysicsOptions){.columns = "Disc 0.angle"},
                     "{'type': 'support', 'solid': false}, {'type': 'support', 'solid': false, 'position': [3, 0]},"
                     "{'type': 'support-motion', 'ends': ['Support 1'], 'amplitude': 0.1, 'frequency': 2},"
-                    "{'type': 'disc', 'inertia': 0.08, 'angular_velocity': 1, 'velocity': [0, 1e-17], 'solid': false},"
+                    "{'type': 'disc', 'position': [0, 0], 'inertia': 0.08, 'angular_velocity': 1, 'velocity': [0, "
+                    "1e-17], 'solid': false},"
                     "{'type': 'pin', 'ends': ['Support 0', 'Disc 0']},"
                     "{'type': 'torsional-spring', 'ends': ['Disc 0', 'Support 1'], 'stiffness': 2}");
     physics_assert_near("angle", physics_last(run, 0), sin(5.0) / 5, 1e-10);

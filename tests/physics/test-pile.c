@@ -118,10 +118,10 @@ static void test_rests_surely(void)
 static void test_three_balls(void)
 {
     const PhysicsOptions options = impulses(1, 0.01, "Disc 0.vx, Disc 1.vx, Disc 2.vx");
-    g_autoptr(PhysicsRun) run =
-        physics_run(&options, "{'type': 'disc', 'radius': 0.1, 'restitution': 1, 'velocity': [1, 0]},"
-                              "{'type': 'disc', 'radius': 0.1, 'restitution': 1, 'position': [0.7, 0]},"
-                              "{'type': 'disc', 'radius': 0.1, 'restitution': 1, 'position': [0.9, 0]}");
+    g_autoptr(PhysicsRun) run = physics_run(
+        &options, "{'type': 'disc', 'position': [0, 0], 'radius': 0.1, 'restitution': 1, 'velocity': [1, 0]},"
+                  "{'type': 'disc', 'radius': 0.1, 'restitution': 1, 'position': [0.7, 0]},"
+                  "{'type': 'disc', 'radius': 0.1, 'restitution': 1, 'position': [0.9, 0]}");
     physics_assert_near("first", physics_last(run, 0), -1.0 / 3, 1e-9);
     physics_assert_near("second", physics_last(run, 1), 2.0 / 3, 1e-9);
     physics_assert_near("third", physics_last(run, 2), 2.0 / 3, 1e-9);

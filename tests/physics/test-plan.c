@@ -115,7 +115,7 @@ static void test_rubbing_pin(void)
     TinkerRunOptions options = planned_options("auto", 0.01, 1e-9, 1);
     for (int rubs = 0; rubs < 2; rubs++) {
         g_autofree char *blocks =
-            g_strdup_printf("{'type': 'support', 'solid': false}, {'type': 'disc', 'solid': false},"
+            g_strdup_printf("{'type': 'support', 'solid': false}, {'type': 'disc', 'position': [0, 0], 'solid': false},"
                             "{'type': 'pin', 'ends': ['Support 0', 'Disc 0'], 'friction_radius': 0.1, 'friction': %g}",
                             0.3 * rubs);
         g_auto(Planned) planned = planned_new(blocks, &options);
@@ -129,7 +129,7 @@ static void test_wheel_under_a_rope(void)
     TinkerRunOptions options = planned_options("auto", 0.01, 1e-9, 1);
     for (int heavy = 0; heavy < 2; heavy++) {
         g_autofree char *blocks =
-            g_strdup_printf("{'type': 'support', 'solid': false}, {'type': 'disc', 'solid': false},"
+            g_strdup_printf("{'type': 'support', 'solid': false}, {'type': 'disc', 'position': [0, 0], 'solid': false},"
                             "{'type': 'mass', 'position': [-1, -2]}, {'type': 'mass', 'position': [1, -2]},"
                             "{'type': 'pin', 'ends': ['Support 0', 'Disc 0']},"
                             "{'type': 'rope', 'ends': ['Mass 0', '%s', 'Mass 1']}",
@@ -171,7 +171,8 @@ static void test_contact(void)
     g_autofree char *open = g_strdup_printf(scene, "'solid': false", 0.4);
     g_auto(Planned) passes = planned_new(open, &options);
     planned_assert_holds(passes.plan->left_out, "nothing has a solid side");
-    g_auto(Planned) alone = planned_new("{'type': 'disc'}, {'type': 'disc', 'position': [2, 0]}", &options);
+    g_auto(Planned) alone =
+        planned_new("{'type': 'disc', 'position': [0, 0]}, {'type': 'disc', 'position': [2, 0]}", &options);
     planned_assert_holds(alone.plan->modelled, "contact among 2 bodies that meet");
     planned_assert_holds(alone.plan->left_out, "contact with supports: none has a solid side");
     g_assert_cmpint(planned_count_holding(alone.plan->left_out, "contact and friction"), ==, 0);

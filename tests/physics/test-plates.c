@@ -13,9 +13,9 @@
 /* Rotational energy of a plate of 3 kg that turns with 2 rad/s: twice its inertia. */
 static double inertia_of(const char *properties)
 {
-    g_autoptr(PhysicsRun) run =
-        physics_run(&(PhysicsOptions){.columns = "Plate 0.rotational energy"},
-                    "{'type': 'plate', 'mass': 3, 'angular_velocity': 2, 'solid': false, %s}", properties);
+    g_autoptr(PhysicsRun) run = physics_run(
+        &(PhysicsOptions){.columns = "Plate 0.rotational energy"},
+        "{'type': 'plate', 'position': [0, 0], 'mass': 3, 'angular_velocity': 2, 'solid': false, %s}", properties);
     return physics_last(run, 0) / 2;
 }
 
@@ -69,7 +69,7 @@ static void test_refusals(void)
                  {"[[0, 0], [2, 0], [2, 1], [1, 0], [0, 1]]", "crosses or touches itself"}};
     for (gsize i = 0; i < G_N_ELEMENTS(cases); i++) {
         g_autoptr(PhysicsRun) run =
-            physics_try(&(PhysicsOptions){0}, "{'type': 'plate', 'corners': %s}", cases[i].corners);
+            physics_try(&(PhysicsOptions){0}, "{'type': 'plate', 'position': [0, 0], 'corners': %s}", cases[i].corners);
         physics_assert_refused(run, TINKER_MODEL_ERROR_SCENE, "Plate 0", cases[i].why, NULL);
     }
 }
@@ -78,7 +78,7 @@ static void test_refusals(void)
 static void test_scene(void)
 {
     g_autoptr(TinkerScene) scene =
-        physics_scene(NULL, "{'type': 'plate', 'corners': [[0, 0], [0.1, 0], ['1 ft', 2e-5]]}");
+        physics_scene(NULL, "{'type': 'plate', 'position': [0, 0], 'corners': [[0, 0], [0.1, 0], ['1 ft', 2e-5]]}");
     const TinkerBlockId plate = tinker_scene_block_at(scene, 0);
     const int32_t corners = tinker_block_class_property(tinker_scene_block_class(scene, plate), "corners");
     g_assert_cmpstr(tinker_scene_get_text(scene, plate, corners), ==, "0 0; 0.1 0; 0.3048 2e-05");

@@ -104,7 +104,8 @@ static void test_thrown(void)
                                       .columns = "Box 0.angle, Box 0.angular velocity, Box 0.y, "
                                                  "Box 0.rotational energy, Box 0.angular momentum, Box 0.speed, "
                                                  "Box 0.acceleration, Box 0.x momentum, Box 0.y momentum"},
-                    "{'type': 'gravity'}, {'type': 'box', 'mass': 3, 'width': 0.6, 'height': 0.8, 'orientation': 0.25,"
+                    "{'type': 'gravity'}, {'type': 'box', 'position': [0, 0], 'mass': 3, 'width': 0.6, 'height': 0.8, "
+                    "'orientation': 0.25,"
                     " 'velocity': [1, 20], 'angular_velocity': 7, 'solid': false}");
     const double inertia = 3 * (0.6 * 0.6 + 0.8 * 0.8) / 12;
     for (gsize i = 0; i < physics_samples(run); i++) {
@@ -127,10 +128,12 @@ static void test_inertia_as_shaped(void)
         &(PhysicsOptions){.duration = 0.1,
                           .columns = "Bar 0.angular momentum, Disc 0.angular momentum, Box 0.angular momentum, "
                                      "Disc 1.angular momentum"},
-        "{'type': 'bar', 'mass': 2, 'length': 3, 'width': 1, 'angular_velocity': 1},"
-        "{'type': 'disc', 'mass': 2, 'radius': 3, 'angular_velocity': 1, 'solid': false},"
-        "{'type': 'box', 'mass': 2, 'width': 3, 'height': 4, 'angular_velocity': 1, 'solid': false},"
-        "{'type': 'disc', 'mass': 2, 'radius': 3, 'inertia': 18, 'angular_velocity': 1, 'solid': false}");
+        "{'type': 'bar', 'position': [0, 0], 'mass': 2, 'length': 3, 'width': 1, 'angular_velocity': 1},"
+        "{'type': 'disc', 'position': [0, 0], 'mass': 2, 'radius': 3, 'angular_velocity': 1, 'solid': false},"
+        "{'type': 'box', 'position': [0, 0], 'mass': 2, 'width': 3, 'height': 4, 'angular_velocity': 1, 'solid': "
+        "false},"
+        "{'type': 'disc', 'position': [0, 0], 'mass': 2, 'radius': 3, 'inertia': 18, 'angular_velocity': 1, 'solid': "
+        "false}");
     static const double inertia[] = {1.5, 9, 2 * 25.0 / 12, 18};
     for (gsize i = 0; i < G_N_ELEMENTS(inertia); i++)
         physics_assert_near("I", physics_last(run, i), inertia[i], 1e-14 * inertia[i]);
@@ -282,7 +285,7 @@ static void test_passes_supports(void)
         g_autoptr(PhysicsRun) run =
             physics_run(&(PhysicsOptions){.duration = 1, .step = 0.01, .impulses = TRUE, .columns = "Disc 0.y"},
                         "{'type': 'gravity', 'acceleration': 8}, {'type': 'support', 'position': [0, -2]},"
-                        "{'type': 'disc', 'radius': 0.3, 'solid': %s}",
+                        "{'type': 'disc', 'position': [0, 0], 'radius': 0.3, 'solid': %s}",
                         solid[i]);
         physics_assert_near("y", physics_last(run, 0), i == 0 ? -1.5 : -4, i == 0 ? 1e-9 : 0.05);
     }

@@ -326,8 +326,8 @@ static void test_leaders(void)
     static const char blocks[] =
         "{\"type\": \"support\", \"name\": \"Frame\", \"position\": [0, -1.2], \"width\": 0.4, \"height\": 0.2},"
         "{\"type\": \"disc\", \"name\": \"Wheel 1\", \"radius\": 0.3, \"position\": [-1.2, 0]},"
-        "{\"type\": \"disc\", \"name\": \"Wheel 2\", \"radius\": 0.9},"
-        "{\"type\": \"disc\", \"name\": \"Wheel 3\", \"radius\": 0.25},"
+        "{\"type\": \"disc\", \"position\": [0, 0], \"name\": \"Wheel 2\", \"radius\": 0.9},"
+        "{\"type\": \"disc\", \"position\": [0, 0], \"name\": \"Wheel 3\", \"radius\": 0.25},"
         "{\"type\": \"disc\", \"name\": \"Wheel 4\", \"radius\": 0.75, \"position\": [1, 0]}";
     for (TinkerBlockId selected = 0; selected < 5; selected++) {
         TestStage stage;

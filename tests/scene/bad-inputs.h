@@ -77,6 +77,8 @@
     {"graphs-not-array", "{\"tinker\": 1, \"graphs\": 3}", "1:25: graphs: an array was expected, a number is given\n"},
     {"block-not-object", BLOCKS("3"), "2:1: blocks[0]: a block is an object, {\"type\": ...}\n"},
     {"type-missing", BLOCKS("{\"name\": \"A\"}"), "2:1: A: the key \"type\" is missing\n"},
+    {"place-of-turning-body-missing", BLOCKS("{\"type\": \"disc\", \"name\": \"A\"}"),
+     "2:1: A: the key \"position\" is missing: it has no default (give \"position\": [x, y])\n"},
     {"type-number", BLOCKS("{\"type\": 1, \"name\": \"A\"}"),
      "2:10: A: type: a text was expected, a number is given\n"},
     {"name-number", BLOCKS("{\"type\": \"mass\", \"name\": 1}"),

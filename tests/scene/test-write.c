@@ -47,6 +47,17 @@ static void test_normal_form(void)
         "\"waveform\": {\"expression\": \"2 * t\"}}");
 }
 
+/* A block that is newly made has all that a reader asks for. */
+static void test_required(void)
+{
+    g_autoptr(TinkerScene) scene = tinker_scene_new(scene_fixture_catalogue());
+    tinker_scene_add_block(scene, scene_fixture_class("disc"), NULL, NULL);
+    g_autofree char *text = tinker_scene_to_text(scene, TINKER_WRITE_SI);
+    g_assert_nonnull(strstr(text, "{\"type\": \"disc\", \"name\": \"Disc 0\", \"position\": [0, 0]}"));
+    g_autoptr(TinkerScene) again = scene_fixture_read(text);
+    g_assert_nonnull(again);
+}
+
 static void test_english(void)
 {
     check_written("{\"type\": \"mass\", \"name\": \"A\", \"mass\": \"0.5 slug\", \"position\": [\"3 ft\", 0.3048], "
@@ -211,6 +222,7 @@ static void add_tests(void)
 {
     g_test_add_func("/scene/write/empty", test_empty);
     g_test_add_func("/scene/write/normal-form", test_normal_form);
+    g_test_add_func("/scene/write/required", test_required);
     g_test_add_func("/scene/write/english", test_english);
     g_test_add_func("/scene/write/round-trip", test_round_trip);
     g_test_add_func("/scene/write/random-numbers", test_random_numbers);

@@ -40,6 +40,34 @@ static void test_direction(void)
     g_assert_true(isnan(direction[0]));
 }
 
+/* Turned from rest by what was asked for, whatever the arms' lengths and wherever the first one points; at most half a
+ * turn either way. */
+static void test_turn_from_rest(void)
+{
+    for (int first = -8; first <= 8; first++)
+        for (int rest = -8; rest <= 8; rest++)
+            for (double turn = -3.1; turn <= 3.1; turn += 0.3) {
+                const double from = 0.7 * first, to = from + 0.7 * rest + turn;
+                const double found =
+                    tinker_turn_from_rest(2 * cos(from), 2 * sin(from), 3 * cos(to), 3 * sin(to), 0.7 * rest);
+                g_assert_cmpfloat_with_epsilon(found, turn, 1e-14);
+            }
+    g_assert_cmpfloat(tinker_turn_from_rest(1, 0, -1, 0, PI), ==, 0);
+}
+
+/* The pair of forces has no resultant and the moment that was asked for about any place, across the arm. */
+static void test_moment(void)
+{
+    const TinkerPoint hinge = {.x = 2, .y = -1}, tip = {.x = 5, .y = 3};
+    double on_hinge[2] = {0, 0}, on_tip[2] = {0, 0};
+    g_assert_true(tinker_add_moment(&hinge, &tip, 7, on_hinge, on_tip));
+    g_assert_cmpfloat(on_hinge[0] + on_tip[0], ==, 0);
+    g_assert_cmpfloat(on_hinge[1] + on_tip[1], ==, 0);
+    g_assert_cmpfloat_with_epsilon((tip.x - hinge.x) * on_tip[1] - (tip.y - hinge.y) * on_tip[0], 7, 1e-14);
+    g_assert_cmpfloat_with_epsilon((tip.x - hinge.x) * on_tip[0] + (tip.y - hinge.y) * on_tip[1], 0, 1e-14);
+    g_assert_false(tinker_add_moment(&tip, &tip, 7, on_hinge, on_tip));
+}
+
 static void test_segment_distance(void)
 {
     g_assert_cmpfloat(tinker_segment_distance(2, 3, 0, 0, 10, 0), ==, 3);
@@ -148,6 +176,8 @@ int main(int argc, char **argv)
     g_test_init(&argc, &argv, NULL);
     g_test_add_func("/sdk/kernels/length", test_length);
     g_test_add_func("/sdk/kernels/direction", test_direction);
+    g_test_add_func("/sdk/kernels/turn-from-rest", test_turn_from_rest);
+    g_test_add_func("/sdk/kernels/moment", test_moment);
     g_test_add_func("/sdk/kernels/segment-distance", test_segment_distance);
     g_test_add_func("/sdk/kernels/line-loop", test_line_loop);
     g_test_add_func("/sdk/kernels/end-geometry", test_end_geometry);

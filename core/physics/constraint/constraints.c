@@ -186,6 +186,7 @@ void tinker_constraints_newton_step(TinkerModel *model, gboolean roughly)
 {
     TinkerConstraints *all = &model->constraints;
     double *displacement = all->displacement; /* 0 on bodies without rows */
+    model->corrections++;
     if (solve_chains(all, &(TinkerRowDemand){.extra = fold(all, all->g), .sign = -1}, roughly)) {
         finish_chains(all, all->lambda, displacement, TRUE);
         return;

@@ -16,17 +16,33 @@
 
 #define MOST_NEWTON_STEPS 25
 
-/* Whether g is rounding: of the row's length, or of the coordinates that its ends are made of. */
-static gboolean row_is_met(const TinkerModel *model, int32_t row)
+/* What g is rounded by: the row's length, and the coordinates that its ends are made of. */
+static double reach_of(const TinkerModel *model, int32_t row)
 {
     const TinkerConstraints *all = &model->constraints;
-    double miss = fabs(all->g[row]), reach = all->scales[row];
-    if (miss <= 4 * DBL_EPSILON * reach) return TRUE;
+    double reach = all->scales[row];
     for (int32_t e = all->row_starts[row]; e < all->row_starts[row + 1]; e++) {
         const TinkerPoint *at = &model->point[all->ends_at[e]];
         reach = MAX(reach, MAX(fabs(at->x), fabs(at->y)));
     }
-    return miss <= 4 * DBL_EPSILON * reach;
+    return reach;
+}
+
+/* And by the angles, where what it holds lies far from what turns. */
+static double reach_of_angles(const TinkerModel *model, int32_t row)
+{
+    const TinkerConstraints *all = &model->constraints;
+    double reach = 0;
+    for (int32_t k = tinker_row_turns(all, row); k < tinker_row_turns(all, row + 1); k++)
+        reach += fabs(all->jacobian[2 * all->entries + k] *
+                      model->turns[all->turns[k].coordinate - 2 * model->bodies].place);
+    return reach;
+}
+
+static gboolean row_is_met(const TinkerModel *model, int32_t row)
+{
+    const double miss = fabs(model->constraints.g[row]);
+    return miss <= 4 * DBL_EPSILON * model->constraints.scales[row] || miss <= 4 * DBL_EPSILON * reach_of(model, row);
 }
 
 static gboolean all_met(const TinkerModel *model)
@@ -34,6 +50,16 @@ static gboolean all_met(const TinkerModel *model)
     if (model->constraints.miss <= 4 * DBL_EPSILON) return TRUE;
     for (int32_t row = 0; row < model->constraints.rows; row++)
         if (!row_is_met(model, row)) return FALSE;
+    return TRUE;
+}
+
+/* Whether no angle that a double can hold would do better. */
+static gboolean all_met_by_angles(const TinkerModel *model)
+{
+    for (int32_t row = 0; row < model->constraints.rows; row++)
+        if (!row_is_met(model, row) &&
+            fabs(model->constraints.g[row]) > 4 * DBL_EPSILON * (reach_of(model, row) + reach_of_angles(model, row)))
+            return FALSE;
     return TRUE;
 }
 
@@ -128,7 +154,7 @@ static gboolean wants_step(TinkerModel *model, gboolean roughly, double *before,
     if (*status != TINKER_OK || all_met(model)) return FALSE;
     double miss = tinker_constraints_worst_miss(model);
     /* Rounding may keep a row just above its bound; no step can then do better. */
-    if (!(miss < 0.5 * *before) && miss < TINKER_ROUNDING_MISS) return FALSE;
+    if (!(miss < 0.5 * *before) && (miss < TINKER_ROUNDING_MISS || all_met_by_angles(model))) return FALSE;
     if (!(miss < 4.0 * *before) && !roughly) {
         *status = stop_short(model);
         return FALSE;

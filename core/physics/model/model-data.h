@@ -292,6 +292,7 @@ struct _TinkerModel {
     double time;                 /* that waveforms and supports were evaluated at */
     double book_power[TINKER_BOOK_COUNT];
     gint64 evaluations;
+    gint64 corrections;    /* Newton steps by which positions came back onto constraint rows */
     double watched_length; /* m: whoever evaluates a line shorter than this sets ... */
     atomic_int came_near;  /* ... this, which nothing is ordered by; 0: none is watched (direction-watch.h) */
     const char *failure;   /* "", or the last one as tinker_model_tell_failure has it */

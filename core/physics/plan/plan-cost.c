@@ -22,9 +22,11 @@
 #define PER_BODY       8.0
 #define PER_ASKED      80.0 /* an instance whose plugin is asked */
 #define PER_FIELD_BODY 24.0 /* each asked field, a body */
-#define PER_ROW        80.0 /* a constraint row along a chain: Jacobian, factor, solve */
 #define PER_EDGE       8.0  /* of a linear form */
-/* Of rows that are solved by the general factor, in place of PER_ROW. */
+/* Of constraint rows: Jacobian, factor, solve; along a chain of rods, and of bodies that pins tie. */
+#define PER_ROD_ROW 45.0
+#define PER_PIN_ROW 110.0
+/* Of rows that are solved by the general factor. */
 #define PER_JACOBIAN 48.0 /* a row, by itself */
 #define PER_PRODUCT  4.0  /* an entry's with another's */
 #define PER_UPDATE   3.0  /* what a column takes off another of the factor */
@@ -36,8 +38,16 @@
 /* Of one step: watching it, and for each coordinate the method's own sums over its stages. */
 #define PER_STEP             60.0
 #define PER_STAGE_COORDINATE 4.0
-/* Projecting a step onto constraint rows costs this many evaluations of them. */
-#define PROJECTIONS 1.5
+/* Bringing a step back onto constraint rows, and each Newton step for it. Of a chain, a row, whose factor is at hand;
+ * of other rows this share of evaluating them. */
+#define PER_ROD_PROJECTION 55.0
+#define PER_ROD_CORRECTION 30.0
+#define PER_PIN_PROJECTION 20.0
+#define PER_PIN_CORRECTION 85.0
+#define PROJECTION         0.5
+#define CORRECTION         1.0
+/* Newton steps of a step, before any are counted. */
+#define CORRECTIONS 1.0
 /* A sample: dense output. */
 #define PER_SAMPLE            80.0
 #define PER_SAMPLE_COORDINATE 10.0
@@ -87,20 +97,53 @@ static double more_rounds(const TinkerConstraints *all)
     return ROUNDS_WITHIN * all->rounds * (all->rows < TINKER_REFINED_ROWS ? 1 : REFINED_ROUNDS);
 }
 
-/* Operations that constraint rows take for once: Jacobian, factor, solve. */
-static double row_operations(const TinkerModel *model)
+/* Operations that rows take for once which their plugins are asked for. */
+static double asked_rows(const TinkerConstraints *all)
 {
-    const TinkerConstraints *all = &model->constraints;
     double called = 0;
     for (guint i = 0; all->rows > 0 && i < all->batches->len; i++) {
         const TinkerConstraintBatch *part = &g_array_index(all->batches, TinkerConstraintBatch, i);
         if (part->distances == NULL && !part->coincident) called += PER_ASKED * part->batch->count;
     }
-    if (all->rows == 0 || all->chains != NULL || all->pin_chains != NULL) return called + PER_ROW * all->rows;
+    return called;
+}
+
+/* Whether rows cost what those of a chain of rods do: each is of one or two points, and their factor has no fill. */
+static gboolean are_of_rods(const TinkerConstraints *all)
+{
+    if (all->chains != NULL || all->rows == 0) return TRUE;
+    return all->pin_chains == NULL && all->turn_count == 0 && all->entries <= 2 * all->rows &&
+           tinker_sparse_ldl_fill(all->ldl) <= (gsize)all->rows;
+}
+
+/* Operations that constraint rows take for once: Jacobian, factor, solve. */
+static double row_operations(const TinkerModel *model)
+{
+    const TinkerConstraints *all = &model->constraints;
+    const double called = asked_rows(all);
+    if (are_of_rods(all)) return called + PER_ROD_ROW * all->rows;
+    if (all->pin_chains != NULL) return called + PER_PIN_ROW * all->rows;
     const double products = (double)(all->product_count + all->turn_product_count),
                  updates = (double)tinker_sparse_ldl_updates(all->ldl), fill = (double)tinker_sparse_ldl_fill(all->ldl);
     return called + PER_JACOBIAN * all->rows + PER_PRODUCT * products + PER_UPDATE * updates +
            (1 + more_rounds(all)) * (PER_FILL * fill + PER_ENTRY * (all->entries + all->turn_count));
+}
+
+/* Operations that one Newton step towards constraint rows takes, and what comes before and behind them in a step. */
+static double correction_operations(const TinkerModel *model)
+{
+    const TinkerConstraints *all = &model->constraints;
+    if (are_of_rods(all)) return asked_rows(all) + PER_ROD_CORRECTION * all->rows;
+    if (all->pin_chains != NULL) return asked_rows(all) + PER_PIN_CORRECTION * all->rows;
+    return CORRECTION * row_operations(model);
+}
+
+static double projection_operations(const TinkerModel *model)
+{
+    const TinkerConstraints *all = &model->constraints;
+    if (are_of_rods(all)) return asked_rows(all) + PER_ROD_PROJECTION * all->rows;
+    if (all->pin_chains != NULL) return asked_rows(all) + PER_PIN_PROJECTION * all->rows;
+    return PROJECTION * row_operations(model);
 }
 
 /* Operations of one evaluation of an island's accelerations. */
@@ -121,10 +164,10 @@ static double sample_operations(const TinkerIsland *island)
     return PER_SAMPLE + PER_SAMPLE_COORDINATE * coordinates(island) + SAMPLE_ROWS * row_operations(island->model);
 }
 
-/* Of so many steps with so many evaluations in them. */
+/* Of so many steps with so many evaluations in them, less their Newton steps towards constraint rows. */
 static double explicit_operations(const TinkerIsland *island, double steps, double evaluations)
 {
-    return steps * (PER_STEP + PROJECTIONS * row_operations(island->model)) +
+    return steps * (PER_STEP + projection_operations(island->model)) +
            evaluations * (evaluation_cost(island) + PER_STAGE_COORDINATE * coordinates(island));
 }
 
@@ -175,7 +218,8 @@ static void cost_adaptive(const TinkerIsland *island, const TinkerForecast *fore
     double rate = fmax(accuracy, limited ? stability_rate(forecast, method) : 0);
     cost->steps = fmax(1.0, duration * rate);
     cost->evaluations = cost->steps * method->evaluations_per_step;
-    cost->operations = explicit_operations(island, cost->steps, cost->evaluations);
+    cost->operations = explicit_operations(island, cost->steps, cost->evaluations) +
+                       CORRECTIONS * cost->steps * correction_operations(island->model);
     cost->sample = sample_operations(island);
     cost->error = tolerance * known.error * fmax(1.0, frequency * duration / CALIBRATION_RADIANS);
 }
@@ -269,7 +313,7 @@ static double implicit_step_operations(const TinkerIsland *island)
     double solve = n * (4 * width + 20), factor = n * (2 * width * width + 8);
     if (island->linear != NULL) return PER_STEP + evaluation + solve + PER_STAGE_COORDINATE * n;
     return PER_STEP + NEWTON_STEPS * ((1 + JACOBIAN_SHARE) * evaluation + factor + solve) +
-           PROJECTIONS * row_operations(island->model) + PER_STAGE_COORDINATE * n;
+           projection_operations(island->model) + PER_STAGE_COORDINATE * n;
 }
 
 static void cost_fixed(const TinkerIsland *island, const TinkerForecast *forecast, const TinkerIntegrator *method,
@@ -281,6 +325,7 @@ static void cost_fixed(const TinkerIsland *island, const TinkerForecast *forecas
     cost->evaluations = cost->steps * method->evaluations_per_step;
     cost->operations = implicit ? cost->steps * implicit_step_operations(island)
                                 : explicit_operations(island, cost->steps, cost->evaluations);
+    cost->operations += CORRECTIONS * cost->steps * correction_operations(island->model);
     cost->sample = sample_operations(island);
     cost->error = fixed_error(forecast, method, options, cost->step);
 }
@@ -341,7 +386,7 @@ static gboolean needs_series(const TinkerIsland *island)
 
 TinkerCostRates tinker_cost_rates(const TinkerIsland *island, const TinkerIntegrator *method)
 {
-    TinkerCostRates rates = {.look = PER_LOOK};
+    TinkerCostRates rates = {.look = PER_LOOK, .correction = correction_operations(island->model)};
     if (method->flags & TINKER_INTEGRATOR_IMPLICIT) {
         rates.step = implicit_step_operations(island);
         return rates;
@@ -359,7 +404,7 @@ TinkerCostRates tinker_cost_rates(const TinkerIsland *island, const TinkerIntegr
 double tinker_cost_counted(const TinkerCostRates *rates, const TinkerCounts *counts)
 {
     return rates->once + rates->step * counts->steps + rates->evaluation * counts->evaluations +
-           rates->look * counts->looks;
+           rates->look * counts->looks + rates->correction * counts->corrections;
 }
 
 double tinker_cost_samples(const TinkerIsland *island, const TinkerIntegrator *method, double samples)

@@ -31,12 +31,13 @@ gboolean tinker_cost_of(const TinkerIsland *island, const TinkerForecast *foreca
 /* What was counted of a run, or is expected. */
 typedef struct {
     double steps, evaluations;
-    double looks; /* states that were looked at in search of contacts */
+    double looks;       /* states that were looked at in search of contacts */
+    double corrections; /* Newton steps by which positions came back onto constraint rows */
 } TinkerCounts;
 
 /* Operations of each thing that is counted, and before the first. */
 typedef struct {
-    double once, step, evaluation, look;
+    double once, step, evaluation, look, correction;
 } TinkerCostRates;
 
 /* Those of a method that suits the island. */

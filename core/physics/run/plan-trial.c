@@ -45,6 +45,7 @@ static TinkerTrial make_steps(TinkerIslandRun *run, const TinkerCostRates *rates
         stopped = !tinker_island_run_step(run, end, NULL);
         made.counts.steps = (double)run->summary.steps;
         made.counts.evaluations = (double)run->model->evaluations;
+        made.counts.corrections = (double)run->model->corrections;
         if (run->contacts != NULL) made.counts.looks = (double)tinker_contact_run_looks(run->contacts);
         if (tinker_cost_counted(rates, &made.counts) > operations) break;
     }
@@ -77,7 +78,7 @@ static void count_run(TinkerIslandPlan *plan, const TinkerIsland *island, const 
     const TinkerTrial trial = make_trial(island, &plan->choice, options, &rates, operations);
     if (!(trial.share > 0)) return;
     const TinkerCounts whole = {trial.counts.steps / trial.share, trial.counts.evaluations / trial.share,
-                                trial.counts.looks / trial.share};
+                                trial.counts.looks / trial.share, trial.counts.corrections / trial.share};
     plan->evaluations = whole.evaluations;
     plan->operations = tinker_cost_counted(&rates, &whole) +
                        tinker_cost_samples(island, plan->choice.method, tinker_options_samples(options));

@@ -64,16 +64,27 @@ void tinker_jacobian_add_row_mass(const TinkerJacobian *self, int32_t row, doubl
         }
 }
 
+/* Whether the pattern has them all. A part of a row's matrix alone would hold each of two bodies by itself where they
+ * are free to move together. */
+static gboolean has_entries(const TinkerJacobian *self, const TinkerContactEntries *entries)
+{
+    for (int32_t r = 0; r < entries->count; r++)
+        for (int32_t c = 0; c < entries->count; c++) {
+            const int32_t at = tinker_jacobian_find_entry(self, entries->coordinate[r], entries->coordinate[c]);
+            if (self->columns[at] != entries->coordinate[c]) return FALSE;
+        }
+    return TRUE;
+}
+
 void tinker_jacobian_add_gap_mass(const TinkerJacobian *self, const TinkerContact *contact, double *values)
 {
     const int rows = contact->mode == TINKER_CONTACT_STICK ? 2 : 1; /* along the normal; along the tangent */
     TinkerContactEntries entries;
     tinker_contact_gap_entries(self->model->contacts, contact->plate, &entries);
+    if (!has_entries(self, &entries)) return;
     for (int which = 0; which < rows; which++)
         for (int32_t r = 0; r < entries.count; r++)
-            for (int32_t c = 0; c < entries.count; c++) {
-                const int32_t at = tinker_jacobian_find_entry(self, entries.coordinate[r], entries.coordinate[c]);
-                if (self->columns[at] != entries.coordinate[c]) continue; /* two bodies that nothing else couples */
-                values[at] += self->model->mass[contact->body] * entries.row[which][r] * entries.row[which][c];
-            }
+            for (int32_t c = 0; c < entries.count; c++)
+                values[tinker_jacobian_find_entry(self, entries.coordinate[r], entries.coordinate[c])] +=
+                    self->model->mass[contact->body] * entries.row[which][r] * entries.row[which][c];
 }

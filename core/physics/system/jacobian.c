@@ -8,6 +8,9 @@
 #include "physics/system/jacobian-private.h"
 #include "physics/system/jacobian.h"
 
+/* Beyond these, what presses two bodies together that nothing else couples is no part of the matrix. */
+#define MOST_PAIRS_A_BODY 16
+
 typedef struct {
     int32_t row, column; /* bodies */
 } Block;
@@ -40,6 +43,15 @@ static void note_constraints(const TinkerConstraints *constraints, const TinkerM
                 note_block(model, blocks, constraints->points[k], constraints->points[e]);
 }
 
+/* Bodies that may touch, where these are not so many pairs that they would fill the matrix. */
+static void note_contacts(const TinkerModel *model, GArray *blocks)
+{
+    const TinkerContacts *contacts = model->contacts;
+    if (contacts->pair_count > MOST_PAIRS_A_BODY * model->bodies) return;
+    for (int32_t i = 0; i < contacts->pair_count; i++)
+        note_block(model, blocks, contacts->pairs[i].point[0], contacts->pairs[i].point[1]);
+}
+
 static int compare_blocks(const void *left, const void *right)
 {
     const Block *l = left, *r = right;
@@ -62,6 +74,7 @@ static GArray *collect_blocks(const TinkerModel *model)
     for (guint i = 0; i < model->asked_forces->len; i++)
         note_element(model, &g_array_index(model->asked_forces, TinkerAskedBatch, i), blocks);
     note_constraints(&model->constraints, model, blocks);
+    if (model->contacts != NULL) note_contacts(model, blocks);
     g_array_sort(blocks, compare_blocks);
     guint kept = 0;
     for (guint i = 0; i < blocks->len; i++) {

@@ -195,6 +195,24 @@ static void check_row(SceneReader *reader, const cJSON *json, JsonAt at, TinkerB
     reader_error(reader, step < 0 ? at : at_child(at, step), TINKER_SCENE_ERROR_VALUE, "%s", fault);
 }
 
+/* What a block of the type cannot do without. Something that lies on a top has its place from there. */
+static void check_required(SceneReader *reader, const cJSON *json, JsonAt at, const TinkerBlockClass *block_class)
+{
+    for (int32_t p = 0; p < block_class->property_count; p++) {
+        const TinkerPropertyType *property = &block_class->properties[p];
+        if ((property->flags & TINKER_REQUIRED) == 0 || step_of(json, property->id) >= 0) continue;
+        if (property->meaning == TINKER_MEANING_POSITION && reader_is_place_on(block_class, "on") &&
+            step_of(json, "on") >= 0)
+            continue;
+        if (property->kind == TINKER_KIND_VECTOR)
+            reader_error(reader, at, TINKER_SCENE_ERROR_VALUE,
+                         _("the key \"%s\" is missing: it has no default (give \"%s\": [x, y])"), property->id,
+                         property->id);
+        else
+            reader_error(reader, at, TINKER_SCENE_ERROR_VALUE, _("the key \"%s\" is missing"), property->id);
+    }
+}
+
 static void read_known(SceneReader *reader, const cJSON *json, JsonAt at, const BlockMembers *members, const char *name,
                        const TinkerBlockClass *block_class)
 {
@@ -202,6 +220,7 @@ static void read_known(SceneReader *reader, const cJSON *json, JsonAt at, const 
     TinkerBlockId id = add_row(reader, members, at, block_class, &read_ends);
     name_block(reader, id, name);
     read_properties(reader, json, at, members, id);
+    check_required(reader, json, at, block_class);
     check_row(reader, json, at, id);
     reader_place_on(reader, json, at, id);
     if (read_ends) reader_ends(reader, members->ends, at_child(at, members->ends_step), id);

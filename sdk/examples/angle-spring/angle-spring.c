@@ -10,6 +10,8 @@
  * From places alone nobody knows how often an arm has gone round, so delta is the angle from the *rest* direction,
  * between -180 and 180 deg: the jump lies opposite to rest, wherever rest is, and not where atan2 happens to have its
  * own. Beyond 170 deg the law is refused, so that no motion runs into the jump. */
+#include <string.h>
+
 #include <tinker/sdk.h>
 
 enum { COLUMN_STIFFNESS, COLUMN_REST_ANGLE };
@@ -20,34 +22,16 @@ enum { TIP, HINGE, OTHER_TIP, ENDS };
 
 #define MOST_TURN (170.0 / 180.0 * TINKER_PI)
 
-/* How an arc of this many lines is drawn, in symbols. */
-#define ARC_LINES  16
+/* How far its arc reaches, in symbols. */
 #define ARC_RADIUS 1.25
-
-/* The angle by which the second arm is turned from where it would rest. */
-static double turn_from_rest(double ax, double ay, double cx, double cy, double rest_angle)
-{
-    const double along = ax * cx + ay * cy, across = ax * cy - ay * cx;
-    double rest[2];
-    tinker_direction(rest_angle, rest);
-    return atan2(across * rest[0] - along * rest[1], along * rest[0] + across * rest[1]);
-}
-
-static double turn_of(const TinkerPoint *end, double rest_angle)
-{
-    return turn_from_rest(end[TIP].x - end[HINGE].x, end[TIP].y - end[HINGE].y, end[OTHER_TIP].x - end[HINGE].x,
-                          end[OTHER_TIP].y - end[HINGE].y, rest_angle);
-}
 
 /* Physics */
 
-/* The force on the tip of an arm that has this moment about the hinge; 0 where the arm has no length. */
-static int push_tip(const TinkerPoint *hinge, const TinkerPoint *tip, double moment, double *force)
+static double turn_of(const TinkerPoint *end, double rest_angle)
 {
-    const double x = tip->x - hinge->x, y = tip->y - hinge->y, square = x * x + y * y;
-    force[0] = -moment * y / square;
-    force[1] = moment * x / square;
-    return square > 0.0;
+    const TinkerPoint *hinge = &end[HINGE];
+    return tinker_turn_from_rest(end[TIP].x - hinge->x, end[TIP].y - hinge->y, end[OTHER_TIP].x - hinge->x,
+                                 end[OTHER_TIP].y - hinge->y, rest_angle);
 }
 
 static TinkerStatus force(TinkerBatch *batch, const TinkerPoint *ends, double *result)
@@ -57,13 +41,12 @@ static TinkerStatus force(TinkerBatch *batch, const TinkerPoint *ends, double *r
         const TinkerPoint *end = &ends[ENDS * i];
         double *on = &result[2 * ENDS * i];
         const double turn = turn_of(end, rest[i]), moment = stiffness[i] * turn;
+        memset(on, 0, 2 * ENDS * sizeof *on);
         if (fabs(turn) > MOST_TURN)
             return tinker_retry(batch, i, "its arms are more than 170 deg from the rest angle (it counts no turns)");
-        if (!push_tip(&end[HINGE], &end[TIP], moment, &on[2 * TIP]) ||
-            !push_tip(&end[HINGE], &end[OTHER_TIP], -moment, &on[2 * OTHER_TIP]))
+        if (!tinker_add_moment(&end[HINGE], &end[TIP], moment, &on[2 * HINGE], &on[2 * TIP]) ||
+            !tinker_add_moment(&end[HINGE], &end[OTHER_TIP], -moment, &on[2 * HINGE], &on[2 * OTHER_TIP]))
             return tinker_retry(batch, i, "an arm has no length (its tip must not lie on the hinge)");
-        on[2 * HINGE] = -on[2 * TIP] - on[2 * OTHER_TIP];
-        on[2 * HINGE + 1] = -on[2 * TIP + 1] - on[2 * OTHER_TIP + 1];
     }
     return TINKER_OK;
 }
@@ -87,22 +70,13 @@ static const TinkerPhysics physics = {.struct_size = sizeof(TinkerPhysics), .for
 static void draw(const TinkerInstance *instance, struct _cairo *cairo, const TinkerStyle *style)
 {
     const TinkerEnd *end = instance->end, *hinge = &end[HINGE];
-    const double ax = end[TIP].x - hinge->x, ay = end[TIP].y - hinge->y;
-    const double rest = instance->columns[COLUMN_REST_ANGLE], from = atan2(ay, ax);
-    const double turn = turn_from_rest(ax, ay, end[OTHER_TIP].x - hinge->x, end[OTHER_TIP].y - hinge->y, rest);
-    const double radius = ARC_RADIUS * style->symbol_size;
-    double last_x = hinge->x + 0.5 * radius * cos(from), last_y = hinge->y + 0.5 * radius * sin(from);
+    const double ax = end[TIP].x - hinge->x, ay = end[TIP].y - hinge->y, from = atan2(ay, ax);
+    const double rest = instance->columns[COLUMN_REST_ANGLE], radius = ARC_RADIUS * style->symbol_size;
+    const double turn = tinker_turn_from_rest(ax, ay, end[OTHER_TIP].x - hinge->x, end[OTHER_TIP].y - hinge->y, rest);
     style->line(style, cairo, TINKER_COLOUR_CONNECTOR, end[TIP].x, end[TIP].y, hinge->x, hinge->y);
     style->line(style, cairo, TINKER_COLOUR_CONNECTOR, hinge->x, hinge->y, end[OTHER_TIP].x, end[OTHER_TIP].y);
-    for (int k = 1; k <= ARC_LINES; k++) {
-        const double part = (double)k / ARC_LINES, angle = from + part * (rest + turn);
-        const double out = (0.5 + 0.5 * part) * radius, x = hinge->x + out * cos(angle),
-                     y = hinge->y + out * sin(angle);
-        style->line(style, cairo, turn < 0.0 ? TINKER_COLOUR_COMPRESSED : TINKER_COLOUR_STRETCHED, last_x, last_y, x,
-                    y);
-        last_x = x;
-        last_y = y;
-    }
+    tinker_draw_arc(style, cairo, turn < 0.0 ? TINKER_COLOUR_COMPRESSED : TINKER_COLOUR_STRETCHED, hinge->x, hinge->y,
+                    from, from + rest + turn, 0.5 * radius, radius);
     tinker_ends_draw_marks(instance, cairo, style);
 }
 
@@ -126,17 +100,9 @@ static TinkerStatus values(TinkerBatch *batch, const TinkerGraphInput *input, in
     const double *stiffness = tinker_column(batch, COLUMN_STIFFNESS), *rest = tinker_column(batch, COLUMN_REST_ANGLE);
     for (int32_t i = 0; i < batch->count; i++) {
         const double turn = turn_of(&input->ends[ENDS * i], rest[i]);
-        switch (quantity) {
-        case QUANTITY_ANGLE:
-            result[i] = rest[i] + turn;
-            break;
-        case QUANTITY_MOMENT:
-            result[i] = stiffness[i] * turn;
-            break;
-        default:
-            result[i] = 0.5 * stiffness[i] * turn * turn;
-            break;
-        }
+        result[i] = quantity == QUANTITY_ANGLE    ? rest[i] + turn
+                    : quantity == QUANTITY_MOMENT ? stiffness[i] * turn
+                                                  : 0.5 * stiffness[i] * turn * turn;
     }
     return TINKER_OK;
 }
@@ -145,16 +111,9 @@ static const TinkerGraph graph = {.struct_size = sizeof(TinkerGraph), .values = 
 
 /* Declaration */
 
-/* clang-format off */
-#define DIMENSION_MOMENT              {1, 2, -2, 0}
-#define DIMENSION_TORSIONAL_STIFFNESS {1, 2, -2, -1}
-#define DIMENSION_AREA                {0, 2, 0, 0}
-/* clang-format on */
-
 static const TinkerPropertyType properties[] = {
-    {TINKER_REAL_PROPERTY("stiffness", "Stiffness", "Angle Spring", DIMENSION_TORSIONAL_STIFFNESS),
-     TINKER_NOT_NEGATIVE(0, 20.0), .default_value = {1.0}, .symbol = "k", .variability = TINKER_TUNABLE,
-     .description = "Moment per angle"},
+    {TINKER_REAL_PROPERTY("stiffness", "Stiffness", "Angle Spring", {1, 2, -2, -1}), TINKER_NOT_NEGATIVE(0, 20.0),
+     .default_value = {1.0}, .symbol = "k", .variability = TINKER_TUNABLE, .description = "Moment per angle"},
     {TINKER_REAL_PROPERTY("rest_angle", "Rest Angle", "Angle Spring", TINKER_DIMENSION_ANGLE),
      TINKER_BETWEEN(0, -2.0 * TINKER_PI, 2.0 * TINKER_PI), .default_value = {TINKER_PI}, .symbol = "theta0",
      .variability = TINKER_TUNABLE, .description = "Angle from the first arm to the second without moment"},
@@ -162,8 +121,8 @@ static const TinkerPropertyType properties[] = {
 
 /* clang-format off */
 static const TinkerLawEquation law[] = {
-    TINKER_EQUATION("along", "(x1 - x2)*(x3 - x2) + (y1 - y2)*(y3 - y2)", "product of the arms", DIMENSION_AREA),
-    TINKER_EQUATION("across", "(x1 - x2)*(y3 - y2) - (y1 - y2)*(x3 - x2)", "cross product of the arms", DIMENSION_AREA),
+    TINKER_EQUATION("along", "(x1 - x2)*(x3 - x2) + (y1 - y2)*(y3 - y2)", "product of the arms", {0, 2, 0, 0}),
+    TINKER_EQUATION("across", "(x1 - x2)*(y3 - y2) - (y1 - y2)*(x3 - x2)", "cross product of the arms", {0, 2, 0, 0}),
     TINKER_EQUATION("turn", "atan2(across*cos(theta0) - along*sin(theta0), along*cos(theta0) + across*sin(theta0))",
                     "angle from rest", TINKER_DIMENSION_ANGLE),
     TINKER_EQUATION("potential", "k*turn^2/2", NULL, TINKER_DIMENSION_ENERGY),
@@ -173,7 +132,7 @@ static const TinkerLawEquation law[] = {
 static const TinkerQuantityType quantities[] = {
     TINKER_QUANTITY(TINKER_RECORDED, "angle", "Angle", "From the first arm to the second, within 170 deg of rest",
                     TINKER_DIMENSION_ANGLE),
-    TINKER_QUANTITY(0, "moment", "Moment", "Turns the arms back to the rest angle", DIMENSION_MOMENT),
+    TINKER_QUANTITY(0, "moment", "Moment", "Turns the arms back to the rest angle", TINKER_DIMENSION_TORQUE),
     TINKER_QUANTITY(0, "energy", "Stored Energy", "k (theta - theta0)^2 / 2", TINKER_DIMENSION_ENERGY),
 };
 

@@ -70,6 +70,7 @@ extern "C" {
                                                there to the second end */
 #define TINKER_DEFAULT_SAME_AS   (1u << 8)  /* left out, it equals the property that `default_from` names */
 #define TINKER_DEFAULT_AS_SHAPED (1u << 9)  /* left out, a body works it out: TinkerBody.as_shaped (physics.h) */
+#define TINKER_REQUIRED          (1u << 14) /* a scene gives it; the default is that of a new block */
 #define TINKER_DEFAULT_NONE      (1u << 13) /* left out, it has no value: NaN in its column; of a real alone */
 #define TINKER_TEXT_LAW          (1u << 10) /* a text in the grammar of expressions: see typed-law.h */
 #define TINKER_TEXT_POINTS       (1u << 12) /* a text that is a list of points, "x y; x y; ..."; [[x, y], ...] in a scene */

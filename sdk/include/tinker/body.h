@@ -65,7 +65,7 @@ enum {
          .variability = TINKER_STRUCTURAL,                                                                             \
          .description = "How much it resists being turned, about its centre of mass"},                                 \
         {TINKER_VECTOR_PROPERTY("position", "Position", "Global Position", "X", "Y", TINKER_DIMENSION_LENGTH),         \
-         TINKER_ANY_VALUE(0, -10.0, 10.0),                                                                             \
+         TINKER_ANY_VALUE(TINKER_REQUIRED, -10.0, 10.0),                                                               \
          .symbol = "x",                                                                                                \
          .meaning = TINKER_MEANING_POSITION,                                                                           \
          .variability = TINKER_INITIAL,                                                                                \

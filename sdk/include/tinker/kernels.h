@@ -70,6 +70,30 @@ static inline void tinker_direction(double angle, double direction[2])
     direction[1] = sin(angle);
 }
 
+/* The angle from the vector (ax, ay) to (bx, by), counter-clockwise, less the angle at rest: from -pi to pi, so that
+ * its jump lies opposite to rest, wherever rest is. */
+static inline double tinker_turn_from_rest(double ax, double ay, double bx, double by, double rest)
+{
+    const double along = ax * bx + ay * by, across = ax * by - ay * bx;
+    double direction[2];
+    tinker_direction(rest, direction);
+    return atan2(across * direction[0] - along * direction[1], along * direction[0] + across * direction[1]);
+}
+
+/* A moment (N m, counter-clockwise) on the arm from a hinge to its tip, as a pair of forces: adds M / r across the arm
+ * at the tip, and the opposite at the hinge. Answers 0 where the arm has no length. */
+static inline int tinker_add_moment(const TinkerPoint *hinge, const TinkerPoint *tip, double moment, double *on_hinge,
+                                    double *on_tip)
+{
+    const double x = tip->x - hinge->x, y = tip->y - hinge->y, square = x * x + y * y;
+    const double across[2] = {-moment * y / square, moment * x / square};
+    for (int axis = 0; axis < 2; axis++) {
+        on_tip[axis] += across[axis];
+        on_hinge[axis] -= across[axis];
+    }
+    return square > 0.0;
+}
+
 /* Distance between the two ends of every instance that has exactly two. */
 static inline void tinker_end_distances(int32_t count, const TinkerPoint *TINKER_RESTRICT ends,
                                         double *TINKER_RESTRICT length)
