@@ -114,6 +114,19 @@ static void test_matrix(CliFixture *fixture, gconstpointer data)
     cJSON_Delete(root);
 }
 
+/* Letters that pdfLaTeX has not are marked, signs that only formulas have are formulas, and what is held names its
+ * unknown. */
+static void test_latex_letters(CliFixture *fixture, gconstpointer data)
+{
+    g_autofree char *scene = cli_write(
+        fixture, "scene.json",
+        "{\"tinker\": 1, \"title\": \"中 Δx − 50% ≤ ß\", \"blocks\": [{\"type\": \"support\", \"position\": [0, 4]},"
+        "{\"type\": \"mass\"}, {\"type\": \"rod\", \"ends\": [\"Support 0\", \"Mass 0\"]}]}");
+    g_autoptr(TestProgram) latex = cli_run_well(fixture, "equations @scene.json --as latex");
+    cli_assert_holds(latex->output, "\\section*{\\letter{中} $\\Delta$x $-$ 50\\% $\\le$ ß}");
+    cli_assert_holds(latex->output, "Rod 0 (unknown ${\\lambda}$: minus its tension)");
+}
+
 /* Damped and driven: q'' + 2 zeta omega q' + omega^2 q = F / m, with omega = 5 rad/s and zeta = c / (2 sqrt(k m)) =
  * 0.2. */
 static void test_second_order(CliFixture *fixture, gconstpointer data)
@@ -336,7 +349,7 @@ static void test_formats(CliFixture *fixture, gconstpointer data)
     g_autofree char *scene = cli_write(fixture, "scene.json", HANGING);
     g_autoptr(TestProgram) latex = cli_run_well(fixture, "equations @scene.json --as latex");
     g_autoptr(TestProgram) mathml = cli_run_well(fixture, "equations @scene.json --as mathml");
-    cli_assert_holds(latex->output, "{T} &= {k}\\,\\left({L}-{L}_{0}\\right)");
+    cli_assert_holds(latex->output, "{T} &= {k}\\,({L}-{L}_{0})");
     cli_assert_holds(latex->output, "\\end{document}");
     cli_assert_holds(mathml->output, "<mfrac>");
     cli_assert_holds(mathml->output, "<html lang=\"en\">");
@@ -404,6 +417,7 @@ int main(int argc, char **argv)
     cli_test_add("/cli/equations/motion-without-law", test_motion_without_law);
     cli_test_add("/cli/equations/formats", test_formats);
     cli_test_add("/cli/equations/typed-number", test_typed_number);
+    cli_test_add("/cli/equations/latex-letters", test_latex_letters);
     cli_test_add("/cli/equations/refused", test_refused);
     return g_test_run();
 }
