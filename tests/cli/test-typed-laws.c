@@ -186,6 +186,28 @@ static void energies(CliFixture *fixture, const char *law, const char *book, dou
     cJSON_Delete(root);
 }
 
+/* A tension without an antiderivative stores what it does: energy is conserved, and no damper takes any. */
+static void test_stored_by_a_sum(CliFixture *fixture, gconstpointer data)
+{
+    g_autofree char *scene =
+        cli_write(fixture, "scene.json",
+                  HEAD WALL "{\"type\": \"mass\", \"name\": \"Load\", \"mass\": 2, \"position\": [1.5, 0.3]}," LAW
+                            "\"tension\": \"18*(L - 1) + 9*exp(-L^2)\"}]}");
+    g_autoptr(TestProgram) program = cli_run_well(fixture, "run @scene.json --json -");
+    cJSON *root = cJSON_Parse(program->output);
+    const cJSON *energy = cJSON_GetObjectItem(root, "energy");
+    double grown[2];
+    static const char *const kinds[] = {"kinetic", "potential"};
+    for (gsize i = 0; i < G_N_ELEMENTS(kinds); i++) {
+        const cJSON *kind = cJSON_GetObjectItem(energy, kinds[i]);
+        grown[i] = cJSON_GetObjectItem(kind, "end")->valuedouble - cJSON_GetObjectItem(kind, "start")->valuedouble;
+    }
+    g_assert_cmpfloat(fabs(grown[0]), >, 0.01);
+    g_assert_cmpfloat_with_epsilon(grown[0], -grown[1], 1e-8);
+    g_assert_cmpfloat_with_epsilon(cJSON_GetObjectItem(energy, "dampers")->valuedouble, 0, 1e-12);
+    cJSON_Delete(root);
+}
+
 /* A law is booked as the block that does the same, whichever way it is said. */
 static void test_booked_as_what_it_is(CliFixture *fixture, gconstpointer data)
 {
@@ -241,6 +263,7 @@ int main(int argc, char **argv)
     cli_test_add("/cli/typed-laws/equations", test_equations);
     cli_test_add("/cli/typed-laws/as-in-books", test_as_in_books);
     cli_test_add("/cli/typed-laws/one-symbol", test_one_symbol);
+    cli_test_add("/cli/typed-laws/stored-by-a-sum", test_stored_by_a_sum);
     cli_test_add("/cli/typed-laws/booked-as-what-it-is", test_booked_as_what_it_is);
     cli_test_add("/cli/typed-laws/drag-is-taken", test_drag_is_taken);
     cli_test_add("/cli/typed-laws/units-are-kept", test_units_are_kept);
