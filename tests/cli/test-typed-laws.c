@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "fixture.h"
+#include "written.h"
 
 #define HEAD "{\"tinker\": 1, \"run\": {\"duration\": 1, \"tolerance\": 1e-12}, \"blocks\": ["
 #define WALL "{\"type\": \"support\", \"name\": \"Wall\", \"position\": [0, 0], \"solid\": false},"
@@ -53,6 +53,36 @@ static void test_same_motion(CliFixture *fixture, gconstpointer data)
         const double x = at_end(fixture, ways[i], "Load.x");
         if (fabs(x - (1 + cos(3.0) / 2)) > 1e-9) g_error("%s: %.15g", ways[i], x);
     }
+}
+
+/* A number that was typed for a law stands in JSON with its text, letter by letter, and on the page with its sign and
+ * digits as numbers are printed. */
+static void test_text_of_numbers(CliFixture *fixture, gconstpointer data)
+{
+    static const struct {
+        const char *name, *text, *shown;
+        double value;
+    } numbers[] = {
+        {"a", "+3 N/m", "a = 3 N/m ", 3},
+        {"b", ".5", "b = 0.5 ", 0.5},
+        {"c", "-2e1 cm", "c = −20 cm = −0.2 m ", -0.2},
+    };
+    g_autofree char *scene =
+        cli_write(fixture, "scene.json",
+                  HEAD WALL LOAD LAW "\"tension\": \"+a*(L - .5) + b*c\", \"a\": \"+3 N/m\", \"b\": \".5\", "
+                                     "\"c\": \"-2e1 cm\"}]}");
+    g_autoptr(TestProgram) page = cli_run_well(fixture, "equations @scene.json");
+    cJSON *root = written_json(fixture, "equations @scene.json --as json");
+    const cJSON *symbols = cJSON_GetObjectItem(root, "symbols");
+    for (gsize i = 0; i < G_N_ELEMENTS(numbers); i++) {
+        const cJSON *symbol = cJSON_GetObjectItem(symbols, numbers[i].name);
+        g_assert_cmpstr(cJSON_GetStringValue(cJSON_GetObjectItem(symbol, "text")), ==, numbers[i].text);
+        written_assert_near(written_symbol(root, numbers[i].name), numbers[i].value, 1e-15);
+        cli_assert_holds(page->output, numbers[i].shown);
+    }
+    g_assert_null(cJSON_GetObjectItem(cJSON_GetObjectItem(symbols, "m"), "text"));
+    cli_assert_holds(page->output, "T = 2.9 N\n"); /* 3 (1.5 - 0.5) - 0.5 0.2 */
+    cJSON_Delete(root);
 }
 
 /* Written back as it was typed. */
@@ -263,6 +293,7 @@ int main(int argc, char **argv)
     cli_test_add("/cli/typed-laws/equations", test_equations);
     cli_test_add("/cli/typed-laws/as-in-books", test_as_in_books);
     cli_test_add("/cli/typed-laws/one-symbol", test_one_symbol);
+    cli_test_add("/cli/typed-laws/text-of-numbers", test_text_of_numbers);
     cli_test_add("/cli/typed-laws/stored-by-a-sum", test_stored_by_a_sum);
     cli_test_add("/cli/typed-laws/booked-as-what-it-is", test_booked_as_what_it_is);
     cli_test_add("/cli/typed-laws/drag-is-taken", test_drag_is_taken);
