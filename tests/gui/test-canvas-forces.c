@@ -93,12 +93,12 @@ static void test_arrow_at_a_place(void)
     CanvasForces *forces = canvas_forces_new();
     TinkerScene *scene = tinker_document_scene(fixture->document);
     g_bytes_unref(drawn_at(fixture, forces, 0));
-    const TinkerSpot *spot = canvas_forces_at(forces, SIDE / 2 + 10, SIDE / 2 + 2, 4);
+    const TinkerSpot *spot = tinker_spots_at(canvas_forces_spots(forces), SIDE / 2 + 10, SIDE / 2 + 2, 4);
     g_assert_nonnull(spot);
     g_assert_cmpint(spot->what.block, ==, tinker_scene_find_block(scene, "F"));
     g_assert_cmpint(spot->what.on, ==, tinker_scene_find_block(scene, "M"));
     g_assert_true(g_str_has_prefix(spot->text, "F "));
-    g_assert_null(canvas_forces_at(forces, SIDE / 2 - 10, SIDE / 2, 4));
+    g_assert_null(tinker_spots_at(canvas_forces_spots(forces), SIDE / 2 - 10, SIDE / 2, 4));
     canvas_forces_free(forces);
 }
 
