@@ -42,7 +42,7 @@ static gboolean acts_at_once(TinkerCanvas *canvas, TinkerHit hit)
 
 /* What lies under a point, fields in their corner too. `handles`: those of what is selected come first, for only they
  * are drawn, and only of the scene as placed; that of a force can be taken while it plays. */
-TinkerHit canvas_hit(TinkerCanvas *canvas, double x, double y, gboolean handles)
+static TinkerHit hit_at(TinkerCanvas *canvas, double x, double y, gboolean handles)
 {
     TinkerFrame *frame = tinker_player_frame(canvas->player);
     TinkerHit hit = {TINKER_NO_BLOCK, TINKER_PART_NONE};
@@ -165,7 +165,7 @@ static void on_press(GtkGestureDrag *gesture, double x, double y, TinkerCanvas *
     canvas->press[1] = canvas->pointer[1] = y;
     canvas->moved = FALSE;
     gboolean several = (modifiers & (GDK_CONTROL_MASK | GDK_SHIFT_MASK)) != 0;
-    canvas->pressed = canvas_hit(canvas, x, y, !several);
+    canvas->pressed = hit_at(canvas, x, y, !several);
     TinkerBlockId block = canvas->pressed.block;
     if (several && block != TINKER_NO_BLOCK)
         tinker_document_toggle(canvas->document, block);
@@ -258,7 +258,8 @@ static void on_motion(GtkEventControllerMotion *controller, double x, double y, 
     canvas->pointer[0] = x;
     canvas->pointer[1] = y;
     canvas->points = TRUE;
-    if (tinker_player_state(canvas->player) != TINKER_PLAYER_PLAYING) canvas_point_at(canvas, x, y);
+    if (tinker_player_state(canvas->player) != TINKER_PLAYER_PLAYING)
+        canvas_point_at(canvas, x, y, hit_at(canvas, x, y, FALSE).block);
 }
 
 static void on_pinch(GtkGestureZoom *gesture, double scale, TinkerCanvas *canvas)
@@ -282,7 +283,7 @@ static void on_pinch_begin(GtkGesture *gesture, GdkEventSequence *sequence, Tink
 static void on_menu(GtkGestureClick *gesture, int presses, double x, double y, TinkerCanvas *canvas)
 {
     gtk_widget_grab_focus(GTK_WIDGET(canvas));
-    TinkerHit hit = canvas_hit(canvas, x, y, FALSE);
+    TinkerHit hit = hit_at(canvas, x, y, FALSE);
     if (!tinker_document_is_selected(canvas->document, hit.block)) tinker_document_select(canvas->document, hit.block);
     canvas->pointer[0] = x;
     canvas->pointer[1] = y;

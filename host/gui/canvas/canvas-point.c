@@ -19,11 +19,10 @@ static void point(TinkerCanvas *canvas, TinkerPointed what, gboolean arrow)
     tinker_document_point(canvas->document, what);
 }
 
-void canvas_point_at(TinkerCanvas *canvas, double x, double y)
+void canvas_point_at(TinkerCanvas *canvas, double x, double y, TinkerBlockId under)
 {
     const TinkerSpot *arrow = arrow_at(canvas, x, y);
-    point(canvas, arrow != NULL ? arrow->what : tinker_pointed_block(canvas_hit(canvas, x, y, FALSE).block),
-          arrow != NULL);
+    point(canvas, arrow != NULL ? arrow->what : tinker_pointed_block(under), arrow != NULL);
 }
 
 void canvas_point_away(TinkerCanvas *canvas)

@@ -107,11 +107,10 @@ void canvas_follow(TinkerCanvas *canvas);
 
 /* Sets up gestures, controllers and keys; canvas-input.c. */
 void canvas_add_input(TinkerCanvas *canvas);
-/* What is at a place (widget units); `handles`: those of what is selected, too. */
-TinkerHit canvas_hit(TinkerCanvas *canvas, double x, double y, gboolean handles);
 
-/* Points at what is at a place (widget units), or at nothing any more; canvas-point.c. */
-void canvas_point_at(TinkerCanvas *canvas, double x, double y);
+/* Points at an arrow that is at a place (widget units), else at the block under it; at nothing any more.
+ * canvas-point.c. */
+void canvas_point_at(TinkerCanvas *canvas, double x, double y, TinkerBlockId under);
 void canvas_point_away(TinkerCanvas *canvas);
 
 /* Points at what keys have come to, until they leave the canvas: a block; the arrow so many behind the last one, in the
