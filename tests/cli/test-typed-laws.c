@@ -94,6 +94,31 @@ static void test_kept(CliFixture *fixture, gconstpointer data)
     cli_assert_holds(program->output, "\"tension\": \"a*(L - b)\", \"a\": \"18 N/m\", \"b\": 1");
 }
 
+/* What is no number of JSON is written as a text that any reader takes, letter by letter, and the scene runs from it.
+ */
+static void test_texts_that_are_no_numbers_of_json(CliFixture *fixture, gconstpointer data)
+{
+    static const struct {
+        const char *text;
+        double value;
+    } numbers[] = {{"+3", 3}, {".5", 0.5}, {"-.25", -0.25}, {"4.", 4}, {"007", 7}, {"+2e+1", 20}, {" 6 ", 6}};
+    for (gsize i = 0; i < G_N_ELEMENTS(numbers); i++) {
+        g_autofree char *law = g_strdup_printf("\"tension\": \"a*L\", \"a\": \"%s\"}]}", numbers[i].text);
+        g_autofree char *text = g_strconcat(HEAD, WALL, LOAD, LAW, law, NULL);
+        g_autofree char *scene = cli_write(fixture, "scene.json", text);
+        g_autoptr(TestProgram) converted = cli_run_well(fixture, "convert @scene.json");
+        cJSON *root = cJSON_Parse(converted->output);
+        g_assert_nonnull(root);
+        const cJSON *block = cJSON_GetArrayItem(cJSON_GetObjectItem(root, "blocks"), 2);
+        g_assert_cmpstr(cJSON_GetStringValue(cJSON_GetObjectItem(block, "a")), ==, numbers[i].text);
+        cJSON_Delete(root);
+        g_autofree char *again = cli_write(fixture, "again.json", converted->output);
+        root = written_json(fixture, "equations @again.json --as json");
+        written_assert_near(written_symbol(root, "a"), numbers[i].value, 1e-15);
+        cJSON_Delete(root);
+    }
+}
+
 /* Numbers with units of any kind: in files, and on pages of equations, with what they are in SI where they are in none
  * of its units. A foot is 0.3048 m, a pound of force 4.4482216152605 N. */
 static void test_units_are_kept(CliFixture *fixture, gconstpointer data)
@@ -297,6 +322,7 @@ int main(int argc, char **argv)
     cli_test_add("/cli/typed-laws/stored-by-a-sum", test_stored_by_a_sum);
     cli_test_add("/cli/typed-laws/booked-as-what-it-is", test_booked_as_what_it_is);
     cli_test_add("/cli/typed-laws/drag-is-taken", test_drag_is_taken);
+    cli_test_add("/cli/typed-laws/no-numbers-of-json", test_texts_that_are_no_numbers_of_json);
     cli_test_add("/cli/typed-laws/units-are-kept", test_units_are_kept);
     return g_test_run();
 }
