@@ -106,35 +106,31 @@ static TinkerStoredEnergy of_forces(G_GNUC_UNUSED const TinkerTypedLaw *law, con
     return stored_as(source, timed ? NULL : potential_of(x, y));
 }
 
-typedef struct {
-    const TinkerPropertyType *type;
-    TinkerTypedLaw *law; /* NULL: its text is empty, or there is no such property */
-} Typed;
-
-static Typed typed_as(const TinkerBlockClass *block_class, TinkerTypedLaw *const *laws, const char *id)
+/* NULL where its text is empty, or where there is no such property. */
+static TinkerTypedLaw *law_of(const TinkerBlockClass *block_class, TinkerTypedLaw *const *laws, const char *id)
 {
     for (int32_t p = 0; p < block_class->property_count; p++) {
         const TinkerPropertyType *type = &block_class->properties[p];
         if ((type->flags & TINKER_TEXT_LAW) == 0) continue;
-        if (strcmp(type->id, id) == 0) return (Typed){type, *laws};
+        if (strcmp(type->id, id) == 0) return *laws;
         laws++;
     }
-    return (Typed){NULL, NULL};
+    return NULL;
 }
 
-static void set_energy(const Typed *typed, TinkerFindEnergyFunc find, TinkerExpression *first, TinkerExpression *second)
+static TinkerExpression *is_of(const TinkerTypedLaw *law)
 {
-    const TinkerEnergySource source = {{first, second}, typed->type->choices, typed->type->choice_count};
-    tinker_typed_set_energy(typed->law, find, &source);
+    return law != NULL ? tinker_typed_is(law) : NULL;
 }
 
 void tinker_typed_set_energies(const TinkerBlockClass *block_class, TinkerTypedLaw *const *laws)
 {
-    const Typed potential = typed_as(block_class, laws, "potential"), tension = typed_as(block_class, laws, "tension");
-    const Typed x = typed_as(block_class, laws, "force_x"), y = typed_as(block_class, laws, "force_y");
-    if (potential.law != NULL) set_energy(&potential, of_potential, potential.law->is, NULL);
-    if (tension.law != NULL) set_energy(&tension, of_tension, tension.law->is, NULL);
-    if (x.law != NULL || y.law != NULL)
-        set_energy(x.law != NULL ? &x : &y, of_forces, x.law != NULL ? x.law->is : NULL,
-                   y.law != NULL ? y.law->is : NULL);
+    TinkerTypedLaw *potential = law_of(block_class, laws, "potential"), *tension = law_of(block_class, laws, "tension");
+    TinkerTypedLaw *x = law_of(block_class, laws, "force_x"), *y = law_of(block_class, laws, "force_y");
+    if (potential != NULL)
+        tinker_typed_set_energy(potential, of_potential, (TinkerExpression *const[]){is_of(potential), NULL});
+    if (tension != NULL)
+        tinker_typed_set_energy(tension, of_tension, (TinkerExpression *const[]){is_of(tension), NULL});
+    if (x != NULL || y != NULL)
+        tinker_typed_set_energy(x != NULL ? x : y, of_forces, (TinkerExpression *const[]){is_of(x), is_of(y)});
 }

@@ -7,6 +7,7 @@
 #include "law/derivative.h"
 #include "law/dimension.h"
 #include "units/compiled/compiled.h"
+#include "units/compiled/typed-energy.h"
 #include "units/quantity/units.h"
 #include "units/waveform/waveform.h"
 
@@ -131,7 +132,7 @@ TinkerTypedLaw *tinker_typed_new(const TinkerBlockClass *block_class, int32_t pr
     if (is == NULL) return NULL;
     TinkerTypedLaw *formula = g_new0(TinkerTypedLaw, 1);
     formula->count = type->choice_count;
-    formula->is = tinker_expression_ref(is);
+    tinker_typed_keep(formula, is, type->choices);
     formula->slopes = g_new0(TinkerCompiled *, formula->count);
     formula->curvatures = g_new0(TinkerCompiled *, formula->count * formula->count);
     formula->depends_on_time = tinker_expression_uses(is, "t");

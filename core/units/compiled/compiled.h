@@ -63,8 +63,8 @@ struct TinkerTypedLaw {
     TinkerCompiled **slopes;     /* by each argument */
     TinkerCompiled **curvatures; /* by two, row by row */
     TinkerTypedRow *row;         /* that it is a member of; NULL: none */
-    TinkerExpression *is;        /* that it is compiled from */
-    TinkerTypedEnergy *energy;   /* that it stores (compiled/typed-energy.h); NULL: none that is known */
+    TinkerTypedEnergy *energy;   /* that it stores (compiled/typed-energy.h); NULL: none that is known. Laws are looked
+                                    through one by one where many are asked, so the rest of it is elsewhere */
     gboolean depends_on_time, depends_on_velocity;
 };
 

@@ -3,27 +3,39 @@
 #include <math.h>
 
 struct _TinkerTypedEnergy {
+    TinkerExpression *is; /* the law */
     TinkerFindEnergyFunc find;
     TinkerEnergySource source;
     gsize found;
     TinkerStoredEnergy stored;
 };
 
-void tinker_typed_set_energy(TinkerTypedLaw *law, TinkerFindEnergyFunc find, const TinkerEnergySource *source)
+void tinker_typed_keep(TinkerTypedLaw *law, const TinkerExpression *is, const char *const *names)
 {
-    TinkerTypedEnergy *energy = g_new0(TinkerTypedEnergy, 1);
+    law->energy = g_new0(TinkerTypedEnergy, 1);
+    law->energy->is = tinker_expression_ref(is);
+    law->energy->source.names = names;
+    law->energy->source.count = law->count;
+}
+
+TinkerExpression *tinker_typed_is(const TinkerTypedLaw *law)
+{
+    return law->energy != NULL ? law->energy->is : NULL;
+}
+
+void tinker_typed_set_energy(TinkerTypedLaw *law, TinkerFindEnergyFunc find, TinkerExpression *const laws[2])
+{
+    TinkerTypedEnergy *energy = law->energy;
+    g_return_if_fail(energy != NULL && energy->find == NULL);
     energy->find = find;
-    energy->source = *source;
-    for (gsize i = 0; i < G_N_ELEMENTS(source->laws); i++)
-        if (source->laws[i] != NULL) energy->source.laws[i] = tinker_expression_ref(source->laws[i]);
-    tinker_typed_energy_free(law->energy);
-    law->energy = energy;
+    for (int i = 0; i < 2; i++)
+        if (laws[i] != NULL) energy->source.laws[i] = tinker_expression_ref(laws[i]);
 }
 
 static const TinkerStoredEnergy *stored_by(const TinkerTypedLaw *law)
 {
     TinkerTypedEnergy *energy = law->energy;
-    if (energy == NULL) return NULL;
+    if (energy == NULL || energy->find == NULL) return NULL;
     if (g_once_init_enter(&energy->found)) {
         energy->stored = energy->find(law, &energy->source);
         g_once_init_leave(&energy->found, 1);
@@ -48,6 +60,7 @@ double tinker_typed_stored(const TinkerTypedLaw *law, const double *arguments)
 void tinker_typed_energy_free(TinkerTypedEnergy *energy)
 {
     if (energy == NULL) return;
+    tinker_expression_unref(energy->is);
     for (gsize i = 0; i < G_N_ELEMENTS(energy->source.laws); i++)
         g_clear_pointer(&energy->source.laws[i], tinker_expression_unref);
     tinker_compiled_free(energy->stored.compiled);

@@ -19,8 +19,14 @@ typedef struct {
 
 typedef TinkerStoredEnergy (*TinkerFindEnergyFunc)(const struct TinkerTypedLaw *law, const TinkerEnergySource *source);
 
-/* Tells how the energy of a law is found, of which none is known otherwise. The laws of the source are borrowed. */
-void tinker_typed_set_energy(struct TinkerTypedLaw *law, TinkerFindEnergyFunc find, const TinkerEnergySource *source);
+/* Keeps what a law is compiled from, over these arguments, which outlive it; and that, NULL where nothing was kept.
+ * Both are borrowed. */
+void tinker_typed_keep(struct TinkerTypedLaw *law, const TinkerExpression *is, const char *const *names);
+TinkerExpression *tinker_typed_is(const struct TinkerTypedLaw *law);
+
+/* Tells how the energy of a law that was kept is found, of which none is known otherwise: from these expressions, which
+ * are borrowed. */
+void tinker_typed_set_energy(struct TinkerTypedLaw *law, TinkerFindEnergyFunc find, TinkerExpression *const laws[2]);
 
 /* Whether it stores energy; how much, NAN where that is not known. The first of these calls needs memory; any thread
  * may ask. */

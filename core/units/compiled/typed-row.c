@@ -106,7 +106,6 @@ void tinker_typed_free(TinkerTypedLaw *law)
     for (int i = 0; i < law->count * law->count; i++)
         tinker_compiled_free(law->curvatures[i]);
     tinker_typed_energy_free(law->energy);
-    g_clear_pointer(&law->is, tinker_expression_unref);
     g_free(law->slopes);
     g_free(law->curvatures);
     if (law->row != NULL)
