@@ -1,4 +1,7 @@
 /* What typed laws do to energy. */
+#include "units/compiled/typed-energy.h"
+
+#include <math.h>
 #include <string.h>
 
 #include "law/build.h"
@@ -6,42 +9,79 @@
 #include "law/integral.h"
 #include "law/simplify.h"
 #include "law/typed-law.h"
+#include "numerics/roots/quadrature.h"
 
-static const char *const velocities[] = {"rate", "vx", "vy", NULL};
+#define COUNTED_FROM  1.0    /* m: where a tension without an antiderivative stores 0 */
+#define SUM_TOLERANCE 1e-13  /* of its absolute sum */
+#define TRIED_LEAST   0.0625 /* m: lengths at which it has to be a number, by factors of the root of 2 */
+#define TRIED_MOST    16.0
 
-static TinkerExpression *at_rest(const char *symbol, G_GNUC_UNUSED void *data)
+static TinkerExpression *rest_of(const char *symbol, G_GNUC_UNUSED void *data)
 {
+    static const char *const velocities[] = {"rate", "vx", "vy", NULL};
     return g_strv_contains(velocities, symbol) ? tinker_expression_number(0) : NULL;
 }
 
-typedef struct {
-    int32_t property;
-    TinkerTypedLaw *law;
-    TinkerExpression *still; /* the law at rest; a number where nothing is typed */
-} Typed;
-
-static Typed find(const TinkerBlockClass *block_class, TinkerTypedLaw **laws, const char *id,
-                  TinkerTypedLawTextFunc text_of, void *data)
+/* The law at rest; 0 where none is typed. (transfer full) */
+static TinkerExpression *at_rest(const TinkerExpression *law)
 {
-    Typed typed = {-1, NULL, NULL};
-    for (int32_t p = 0; p < block_class->property_count && typed.law == NULL; p++) {
-        const TinkerPropertyType *type = &block_class->properties[p];
-        if ((type->flags & TINKER_TEXT_LAW) == 0) continue;
-        if (*laws != NULL && strcmp(type->id, id) == 0) typed = (Typed){p, *laws, NULL};
-        laws++;
-    }
-    g_autoptr(TinkerExpression) is =
-        typed.law != NULL ? tinker_typed_folded(block_class, typed.property, text_of, data, NULL) : NULL;
-    typed.still = is != NULL ? tinker_expression_folded(is, at_rest, NULL) : tinker_expression_number(0);
-    return typed;
+    return law != NULL ? tinker_expression_folded(law, rest_of, NULL) : tinker_expression_number(0);
 }
 
-/* Takes the energy over. */
-static void keep(const TinkerBlockClass *block_class, const Typed *typed, TinkerExpression *stored)
+/* Takes the energy over, which may be NULL. */
+static TinkerStoredEnergy stored_as(const TinkerEnergySource *source, TinkerExpression *energy)
 {
-    const TinkerPropertyType *type = &block_class->properties[typed->property];
-    typed->law->stored = tinker_compiled_new(stored, type->choices, type->choice_count);
-    tinker_expression_unref(stored);
+    if (energy == NULL) return (TinkerStoredEnergy){NULL, NULL};
+    const TinkerStoredEnergy stored = {tinker_compiled_new(energy, source->names, source->count), NULL};
+    tinker_expression_unref(energy);
+    return stored;
+}
+
+static TinkerStoredEnergy of_potential(G_GNUC_UNUSED const TinkerTypedLaw *law, const TinkerEnergySource *source)
+{
+    return stored_as(source, at_rest(source->laws[0]));
+}
+
+static double tension_at_rest(const TinkerTypedLaw *law, double length)
+{
+    return tinker_compiled_value(law->value, (const double[]){length, 0, 0});
+}
+
+static TinkerStatus put_tension(double length, double *value, void *data)
+{
+    *value = tension_at_rest(data, length);
+    return TINKER_OK;
+}
+
+static double no_kink(G_GNUC_UNUSED double from, G_GNUC_UNUSED double to, G_GNUC_UNUSED void *data)
+{
+    return NAN;
+}
+
+/* The integral of the tension from COUNTED_FROM to the length; NAN where it is not a number in between. */
+static double summed_tension(const TinkerTypedLaw *law, const double *arguments)
+{
+    const double length = arguments[0];
+    double sum = 0, room[3];
+    tinker_integrate(put_tension, no_kink, (void *)law, 1, fmin(length, COUNTED_FROM), fmax(length, COUNTED_FROM),
+                     SUM_TOLERANCE, &sum, room);
+    return !isfinite(sum) ? NAN : length < COUNTED_FROM ? -sum : sum;
+}
+
+static gboolean is_a_number_all_along(const TinkerTypedLaw *law)
+{
+    for (double length = TRIED_LEAST; length <= TRIED_MOST; length *= G_SQRT2)
+        if (!isfinite(tension_at_rest(law, length))) return FALSE;
+    return TRUE;
+}
+
+static TinkerStoredEnergy of_tension(const TinkerTypedLaw *law, const TinkerEnergySource *source)
+{
+    g_autoptr(TinkerExpression) still = at_rest(source->laws[0]);
+    if (tinker_expression_uses(still, "t")) return (TinkerStoredEnergy){NULL, NULL};
+    const TinkerStoredEnergy stored = stored_as(source, tinker_expression_integral(still, "L"));
+    if (stored.compiled != NULL || !is_a_number_all_along(law)) return stored;
+    return (TinkerStoredEnergy){NULL, summed_tension};
 }
 
 /* V of force_x = -dV/dx and force_y = -dV/dy; NULL: none is found. (transfer full) */
@@ -59,28 +99,38 @@ static TinkerExpression *potential_of(const TinkerExpression *x, const TinkerExp
     return tinker_expression_negated(tinker_expression_plus(g_steal_pointer(&along_x), g_steal_pointer(&along_y)));
 }
 
-static void find_of_forces(const TinkerBlockClass *block_class, TinkerTypedLaw **laws, TinkerTypedLawTextFunc text_of,
-                           void *data)
+static TinkerStoredEnergy of_forces(G_GNUC_UNUSED const TinkerTypedLaw *law, const TinkerEnergySource *source)
 {
-    Typed x = find(block_class, laws, "force_x", text_of, data), y = find(block_class, laws, "force_y", text_of, data);
-    const gboolean timed = tinker_expression_uses(x.still, "t") || tinker_expression_uses(y.still, "t");
-    TinkerExpression *stored = timed || (x.law == NULL && y.law == NULL) ? NULL : potential_of(x.still, y.still);
-    if (stored != NULL) keep(block_class, x.law != NULL ? &x : &y, stored);
-    tinker_expression_unref(x.still);
-    tinker_expression_unref(y.still);
+    g_autoptr(TinkerExpression) x = at_rest(source->laws[0]), y = at_rest(source->laws[1]);
+    const gboolean timed = tinker_expression_uses(x, "t") || tinker_expression_uses(y, "t");
+    return stored_as(source, timed ? NULL : potential_of(x, y));
 }
 
-void tinker_typed_find_energy(const TinkerBlockClass *block_class, TinkerTypedLaw **laws,
-                              TinkerTypedLawTextFunc text_of, void *data)
+/* NULL where its text is empty, or where there is no such property. */
+static TinkerTypedLaw *law_of(const TinkerBlockClass *block_class, TinkerTypedLaw *const *laws, const char *id)
 {
-    Typed potential = find(block_class, laws, "potential", text_of, data);
-    if (potential.law != NULL) keep(block_class, &potential, tinker_expression_ref(potential.still));
-    tinker_expression_unref(potential.still);
-    Typed tension = find(block_class, laws, "tension", text_of, data);
-    TinkerExpression *stored = tension.law == NULL || tinker_expression_uses(tension.still, "t")
-                                   ? NULL
-                                   : tinker_expression_integral(tension.still, "L");
-    if (stored != NULL) keep(block_class, &tension, stored);
-    tinker_expression_unref(tension.still);
-    find_of_forces(block_class, laws, text_of, data);
+    for (int32_t p = 0; p < block_class->property_count; p++) {
+        const TinkerPropertyType *type = &block_class->properties[p];
+        if ((type->flags & TINKER_TEXT_LAW) == 0) continue;
+        if (strcmp(type->id, id) == 0) return *laws;
+        laws++;
+    }
+    return NULL;
+}
+
+static TinkerExpression *is_of(const TinkerTypedLaw *law)
+{
+    return law != NULL ? tinker_typed_is(law) : NULL;
+}
+
+void tinker_typed_set_energies(const TinkerBlockClass *block_class, TinkerTypedLaw *const *laws)
+{
+    TinkerTypedLaw *potential = law_of(block_class, laws, "potential"), *tension = law_of(block_class, laws, "tension");
+    TinkerTypedLaw *x = law_of(block_class, laws, "force_x"), *y = law_of(block_class, laws, "force_y");
+    if (potential != NULL)
+        tinker_typed_set_energy(potential, of_potential, (TinkerExpression *const[]){is_of(potential), NULL});
+    if (tension != NULL)
+        tinker_typed_set_energy(tension, of_tension, (TinkerExpression *const[]){is_of(tension), NULL});
+    if (x != NULL || y != NULL)
+        tinker_typed_set_energy(x != NULL ? x : y, of_forces, (TinkerExpression *const[]){is_of(x), is_of(y)});
 }

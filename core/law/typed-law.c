@@ -7,6 +7,7 @@
 #include "law/derivative.h"
 #include "law/dimension.h"
 #include "units/compiled/compiled.h"
+#include "units/compiled/typed-energy.h"
 #include "units/quantity/units.h"
 #include "units/waveform/waveform.h"
 
@@ -112,8 +113,9 @@ static gboolean compile_all(TinkerTypedLaw *formula, const TinkerExpression *is,
     return good;
 }
 
-TinkerExpression *tinker_typed_folded(const TinkerBlockClass *block_class, int32_t property,
-                                      TinkerTypedLawTextFunc text_of, void *data, GError **error)
+/* The expression with the block's numbers in it. (transfer full) */
+static TinkerExpression *folded(const TinkerBlockClass *block_class, int32_t property, TinkerTypedLawTextFunc text_of,
+                                void *data, GError **error)
 {
     g_autoptr(TinkerExpression) typed = tinker_typed_parse(block_class, property, text_of(property, data), error);
     if (typed == NULL) return NULL;
@@ -126,10 +128,11 @@ TinkerTypedLaw *tinker_typed_new(const TinkerBlockClass *block_class, int32_t pr
                                  void *data, GError **error)
 {
     const TinkerPropertyType *type = &block_class->properties[property];
-    g_autoptr(TinkerExpression) is = tinker_typed_folded(block_class, property, text_of, data, error);
+    g_autoptr(TinkerExpression) is = folded(block_class, property, text_of, data, error);
     if (is == NULL) return NULL;
     TinkerTypedLaw *formula = g_new0(TinkerTypedLaw, 1);
     formula->count = type->choice_count;
+    tinker_typed_keep(formula, is, type->choices);
     formula->slopes = g_new0(TinkerCompiled *, formula->count);
     formula->curvatures = g_new0(TinkerCompiled *, formula->count * formula->count);
     formula->depends_on_time = tinker_expression_uses(is, "t");

@@ -20,15 +20,12 @@ TinkerExpression *tinker_typed_parse(const TinkerBlockClass *block_class, int32_
  * be read. (transfer full: tinker_typed_free) */
 TinkerTypedLaw *tinker_typed_new(const TinkerBlockClass *block_class, int32_t property, TinkerTypedLawTextFunc text_of,
                                  void *data, GError **error);
-/* The expression with the block's numbers in it. Errors as above. (transfer full) */
-TinkerExpression *tinker_typed_folded(const TinkerBlockClass *block_class, int32_t property,
-                                      TinkerTypedLawTextFunc text_of, void *data, GError **error);
-/* Tells each law of a block what it does to energy (laws in the order of their properties; NULL: an empty text). A
- * tension that does not depend on t stores the integral of what it is at rest; a force_x and a force_y store together
- * minus that of what they are at rest, where it is one of places alone, which the first of them is told. What has no
- * antiderivative among the functions of the grammar stores none that is known. A potential stores what it is. */
-void tinker_typed_find_energy(const TinkerBlockClass *block_class, TinkerTypedLaw **laws,
-                              TinkerTypedLawTextFunc text_of, void *data);
+/* Tells each law of a block how to find what it does to energy (laws in the order of their properties; NULL: an empty
+ * text). A tension that does not depend on t stores the integral of what it is at rest: by its antiderivative, or where
+ * the grammar has none by a sum from 1 m on, if it is a number at all lengths. A force_x and a force_y store together
+ * minus that of what they are at rest, where it is one of places alone and has an antiderivative; the first of them is
+ * told. A potential stores what it is. */
+void tinker_typed_set_energies(const TinkerBlockClass *block_class, TinkerTypedLaw *const *laws);
 /* Where the units do not come out as the law's: "tension is in kg/m where N was expected: taken in SI". NULL: they do,
  * or nothing is typed. (transfer full) */
 char *tinker_typed_note(const TinkerBlockClass *block_class, int32_t property, TinkerTypedLawTextFunc text_of,

@@ -103,9 +103,16 @@ static void put_comparison(GString *text, const char *sign)
     g_string_append(text, shown);
 }
 
+static void raise_symbol(GString *text, G_GNUC_UNUSED gsize symbol, const char *exponent)
+{
+    g_string_append_printf(text, "^{%s}", exponent);
+}
+
 const TinkerTypesetStyle tinker_latex_style = {
-    .open = "\\left(",
-    .close = "\\right)",
+    /* what grows has more space around it than a bracket of one line is to have */
+    .open = "(",
+    .close = ")",
+    .high = {"\\left(", "\\right)"},
     .plus = "+",
     .minus = "-",
     .sign = "-",
@@ -116,6 +123,7 @@ const TinkerTypesetStyle tinker_latex_style = {
     .group = {"", ""},
     .fraction = {"\\frac{", "}{", "}"},
     .power = {"{", "}^{", "}"},
+    .raise = raise_symbol,
     .root = {"\\sqrt{", "}"},
     .absolute = {"\\left|", "\\right|"},
     .cases = {"\\begin{cases}", "&\\text{if }", "\\\\", "\\end{cases}"},

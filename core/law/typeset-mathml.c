@@ -73,6 +73,19 @@ static void put_comparison(GString *text, const char *sign)
     put_text(text, "mo", shown);
 }
 
+static void raise_symbol(GString *text, gsize symbol, const char *exponent)
+{
+    const gsize tag = strlen("<msub");
+    const gboolean has_index = g_str_has_prefix(text->str + symbol, "<msub>");
+    if (has_index) {
+        g_string_insert(text, (gssize)(symbol + tag), "sup");
+        g_string_truncate(text, text->len - strlen("</msub>"));
+    } else {
+        g_string_insert(text, (gssize)symbol, "<msup>");
+    }
+    g_string_append_printf(text, "%s%s", exponent, has_index ? "</msubsup>" : "</msup>");
+}
+
 const TinkerTypesetStyle tinker_mathml_style = {
     /* what may stretch is drawn from a larger size in most fonts, with space around it */
     .open = "<mo stretchy=\"false\">(</mo>",
@@ -89,6 +102,7 @@ const TinkerTypesetStyle tinker_mathml_style = {
     .group = {"<mrow>", "</mrow>"},
     .fraction = {"<mfrac>", "", "</mfrac>"},
     .power = {"<msup>", "", "</msup>"},
+    .raise = raise_symbol,
     .root = {"<msqrt>", "</msqrt>"},
     .absolute = {"<mo>|</mo>", "<mo>|</mo>"},
     .cases = {"<mo>{</mo><mtable><mtr><mtd>", "</mtd><mtd><mtext>if </mtext>", "</mtd></mtr><mtr><mtd>",

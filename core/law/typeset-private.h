@@ -29,6 +29,8 @@ typedef struct {
     const char *fraction[3];    /* before, between, behind; of a stacked one */
     const char *power[3];       /* likewise */
     const char *raised[10];     /* powers of 0 to 9 that are written behind what they are of; NULL: this one is not */
+    /* Puts an exponent on the symbol that is written from `symbol` on, over its index; NULL: as on anything else. */
+    void (*raise)(GString *text, gsize symbol, const char *exponent);
     const char *root[2], *absolute[2];
     const char *cases[4]; /* before; between value and condition; behind it; behind all */
     const char *otherwise;
@@ -53,8 +55,5 @@ gboolean tinker_typeset_power(char digits[32], int *power);
 
 /* Bytes of a stem before its index: "L0" is L with the index 0, "µd" µ with the index d, "theta" a word. */
 gsize tinker_stem_letters(const char *stem);
-
-/* A Greek letter's name in LaTeX, "theta"; NULL where the letter is none. */
-const char *tinker_greek_name(const char *letter);
 
 #endif

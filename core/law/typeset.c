@@ -5,6 +5,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "law/build.h"
+
 typedef struct {
     GString *text;
     const TinkerTypesetStyle *style;
@@ -13,6 +15,7 @@ typedef struct {
 } Typesetter;
 
 static void put_node(const Typesetter *to, const TinkerExpression *node, TinkerBinding least);
+static void write_inside(const Typesetter *to, const TinkerExpression *node);
 
 static TinkerBinding binding_of(const TinkerExpression *node, const TinkerTypesetStyle *style)
 {
@@ -134,9 +137,24 @@ static gboolean write_raised(const Typesetter *to, const TinkerExpression *expon
     return TRUE;
 }
 
+/* A symbol has its exponent over its index, not behind it. */
+static void write_raised_symbol(const Typesetter *to, const TinkerExpression *node)
+{
+    const gsize symbol = to->text->len;
+    g_autoptr(GString) exponent = g_string_new(NULL);
+    const Typesetter above = {exponent, to->style, to->look, to->data};
+    write_inside(to, node->parts[0]);
+    put_node(&above, node->parts[1], TINKER_BINDS_COMPARISON);
+    to->style->raise(to->text, symbol, exponent->str);
+}
+
 static void write_power(const Typesetter *to, const TinkerExpression *node)
 {
     const TinkerTypesetStyle *style = to->style;
+    if (style->raise != NULL && node->parts[0]->kind == TINKER_EXPRESSION_SYMBOL) {
+        write_raised_symbol(to, node);
+        return;
+    }
     put(to, style->power[0]);
     put(to, style->group[0]);
     put_node(to, node->parts[0], TINKER_BINDS_ATOM);
@@ -276,6 +294,17 @@ char *tinker_expression_typeset_term(const TinkerExpression *expression, gboolea
 void tinker_symbol_typeset(GString *text, const TinkerSymbolLook *look, TinkerTypesetFormat format)
 {
     style_of(format)->symbol(text, look);
+}
+
+static void look_again(G_GNUC_UNUSED const char *symbol, TinkerSymbolLook *look, void *data)
+{
+    *look = *(const TinkerSymbolLook *)data;
+}
+
+char *tinker_symbol_squared(const TinkerSymbolLook *look, TinkerTypesetFormat format)
+{
+    g_autoptr(TinkerExpression) square = tinker_expression_squared(tinker_expression_symbol(look->stem));
+    return tinker_expression_typeset(square, format, look_again, (void *)look);
 }
 
 const char *tinker_typeset_sign(TinkerTypesetFormat format, char sign)

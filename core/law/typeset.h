@@ -35,6 +35,12 @@ char *tinker_expression_typeset_term(const TinkerExpression *expression, gboolea
 /* What stands between terms, '+' and '-', and between factors, '*'. Static. */
 const char *tinker_typeset_sign(TinkerTypesetFormat format, char sign);
 
+/* A Greek letter's name in LaTeX, "theta"; NULL where the letter is none. Static. */
+const char *tinker_greek_name(const char *letter);
+
+/* A symbol's square. (transfer full) */
+char *tinker_symbol_squared(const TinkerSymbolLook *look, TinkerTypesetFormat format);
+
 /* One symbol, appended. */
 void tinker_symbol_typeset(GString *text, const TinkerSymbolLook *look, TinkerTypesetFormat format);
 

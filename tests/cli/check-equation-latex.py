@@ -5,6 +5,7 @@ installed every page compiles and no line runs off the paper by more than a poin
 check-equation-latex.py TINKER SCENES, a program and the folder of the bundled scenes."""
 import concurrent.futures
 import glob
+import json
 import os
 import re
 import shutil
@@ -13,6 +14,11 @@ import sys
 import tempfile
 
 FORMS = ["newton", "matrix", "angles"]
+
+# Letters of any script, and all that LaTeX takes for signs of its own.
+LETTERS = {"tinker": 1, "title": "Größe 50% — Δx ≤ 3·µ_m: 中文 ~ ^ \\ {a} #1 & Привет ✓ −5 f₁²",
+           "blocks": [{"type": "gravity", "name": "θ₀² → ∞"}, {"type": "support", "name": "Decke_$5", "position": [0, 4]},
+                      {"type": "mass", "name": "中文 Łódź"}, {"type": "spring", "ends": ["Decke_$5", "中文 Łódź"]}]}
 
 
 def unpaired(source):
@@ -47,6 +53,10 @@ def check(tinker, folder, scene, form):
 def main():
     tinker, scenes = sys.argv[1], sorted(glob.glob(os.path.join(sys.argv[2], "*.tinker.json")))
     with tempfile.TemporaryDirectory() as folder, concurrent.futures.ThreadPoolExecutor(2) as pool:
+        letters = os.path.join(folder, "letters.tinker.json")
+        with open(letters, "w", encoding="utf-8") as file:
+            json.dump(LETTERS, file)
+        scenes.append(letters)
         jobs = [(tinker, folder, scene, form) for scene in scenes for form in FORMS]
         faults = [fault for found in pool.map(lambda job: check(*job), jobs) for fault in found]
     seen = "compiled" if shutil.which("pdflatex") else "read (no pdflatex here)"

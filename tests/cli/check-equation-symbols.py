@@ -27,6 +27,7 @@ def page(tinker, scene, form, format_, *more):
 # Each reader answers rows of (symbols on the left, left is one symbol, symbols on the right, the value or None, comment).
 def mathml_symbols(text):
     text = re.sub(r"<mi>[^<]*</mi><mo>&#x2061;</mo>", "", text).replace("<mi>π</mi>", "")
+    text = re.sub(r"<msubsup>(<mi>[^<]*</mi><mrow>.*?</mrow>)<mrow>.*?</mrow></msubsup>", r"<msub>\1</msub>", text)
     return re.findall(r"<msub><mi>[^<]*</mi><mrow>.*?</mrow></msub>|<mi>[^<]*</mi>", text)
 
 

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "fixture.h"
+#include "written.h"
 
 #define HEAD "{\"tinker\": 1, \"run\": {\"duration\": 1, \"tolerance\": 1e-12}, \"blocks\": ["
 #define WALL "{\"type\": \"support\", \"name\": \"Wall\", \"position\": [0, 0], \"solid\": false},"
@@ -55,6 +55,36 @@ static void test_same_motion(CliFixture *fixture, gconstpointer data)
     }
 }
 
+/* A number that was typed for a law stands in JSON with its text, letter by letter, and on the page with its sign and
+ * digits as numbers are printed. */
+static void test_text_of_numbers(CliFixture *fixture, gconstpointer data)
+{
+    static const struct {
+        const char *name, *text, *shown;
+        double value;
+    } numbers[] = {
+        {"a", "+3 N/m", "a = 3 N/m ", 3},
+        {"b", ".5", "b = 0.5 ", 0.5},
+        {"c", "-2e1 cm", "c = −20 cm = −0.2 m ", -0.2},
+    };
+    g_autofree char *scene =
+        cli_write(fixture, "scene.json",
+                  HEAD WALL LOAD LAW "\"tension\": \"+a*(L - .5) + b*c\", \"a\": \"+3 N/m\", \"b\": \".5\", "
+                                     "\"c\": \"-2e1 cm\"}]}");
+    g_autoptr(TestProgram) page = cli_run_well(fixture, "equations @scene.json");
+    cJSON *root = written_json(fixture, "equations @scene.json --as json");
+    const cJSON *symbols = cJSON_GetObjectItem(root, "symbols");
+    for (gsize i = 0; i < G_N_ELEMENTS(numbers); i++) {
+        const cJSON *symbol = cJSON_GetObjectItem(symbols, numbers[i].name);
+        g_assert_cmpstr(cJSON_GetStringValue(cJSON_GetObjectItem(symbol, "text")), ==, numbers[i].text);
+        written_assert_near(written_symbol(root, numbers[i].name), numbers[i].value, 1e-15);
+        cli_assert_holds(page->output, numbers[i].shown);
+    }
+    g_assert_null(cJSON_GetObjectItem(cJSON_GetObjectItem(symbols, "m"), "text"));
+    cli_assert_holds(page->output, "T = 2.9 N\n"); /* 3 (1.5 - 0.5) - 0.5 0.2 */
+    cJSON_Delete(root);
+}
+
 /* Written back as it was typed. */
 static void test_kept(CliFixture *fixture, gconstpointer data)
 {
@@ -62,6 +92,31 @@ static void test_kept(CliFixture *fixture, gconstpointer data)
                                        HEAD WALL LOAD LAW "\"tension\": \"a*(L - b)\", \"a\": \"18 N/m\", \"b\": 1}]}");
     g_autoptr(TestProgram) program = cli_run_well(fixture, "convert @scene.json");
     cli_assert_holds(program->output, "\"tension\": \"a*(L - b)\", \"a\": \"18 N/m\", \"b\": 1");
+}
+
+/* What is no number of JSON is written as a text that any reader takes, letter by letter, and the scene runs from it.
+ */
+static void test_texts_that_are_no_numbers_of_json(CliFixture *fixture, gconstpointer data)
+{
+    static const struct {
+        const char *text;
+        double value;
+    } numbers[] = {{"+3", 3}, {".5", 0.5}, {"-.25", -0.25}, {"4.", 4}, {"007", 7}, {"+2e+1", 20}, {" 6 ", 6}};
+    for (gsize i = 0; i < G_N_ELEMENTS(numbers); i++) {
+        g_autofree char *law = g_strdup_printf("\"tension\": \"a*L\", \"a\": \"%s\"}]}", numbers[i].text);
+        g_autofree char *text = g_strconcat(HEAD, WALL, LOAD, LAW, law, NULL);
+        g_autofree char *scene = cli_write(fixture, "scene.json", text);
+        g_autoptr(TestProgram) converted = cli_run_well(fixture, "convert @scene.json");
+        cJSON *root = cJSON_Parse(converted->output);
+        g_assert_nonnull(root);
+        const cJSON *block = cJSON_GetArrayItem(cJSON_GetObjectItem(root, "blocks"), 2);
+        g_assert_cmpstr(cJSON_GetStringValue(cJSON_GetObjectItem(block, "a")), ==, numbers[i].text);
+        cJSON_Delete(root);
+        g_autofree char *again = cli_write(fixture, "again.json", converted->output);
+        root = written_json(fixture, "equations @again.json --as json");
+        written_assert_near(written_symbol(root, "a"), numbers[i].value, 1e-15);
+        cJSON_Delete(root);
+    }
 }
 
 /* Numbers with units of any kind: in files, and on pages of equations, with what they are in SI where they are in none
@@ -186,6 +241,28 @@ static void energies(CliFixture *fixture, const char *law, const char *book, dou
     cJSON_Delete(root);
 }
 
+/* A tension without an antiderivative stores what it does: energy is conserved, and no damper takes any. */
+static void test_stored_by_a_sum(CliFixture *fixture, gconstpointer data)
+{
+    g_autofree char *scene =
+        cli_write(fixture, "scene.json",
+                  HEAD WALL "{\"type\": \"mass\", \"name\": \"Load\", \"mass\": 2, \"position\": [1.5, 0.3]}," LAW
+                            "\"tension\": \"18*(L - 1) + 9*exp(-L^2)\"}]}");
+    g_autoptr(TestProgram) program = cli_run_well(fixture, "run @scene.json --json -");
+    cJSON *root = cJSON_Parse(program->output);
+    const cJSON *energy = cJSON_GetObjectItem(root, "energy");
+    double grown[2];
+    static const char *const kinds[] = {"kinetic", "potential"};
+    for (gsize i = 0; i < G_N_ELEMENTS(kinds); i++) {
+        const cJSON *kind = cJSON_GetObjectItem(energy, kinds[i]);
+        grown[i] = cJSON_GetObjectItem(kind, "end")->valuedouble - cJSON_GetObjectItem(kind, "start")->valuedouble;
+    }
+    g_assert_cmpfloat(fabs(grown[0]), >, 0.01);
+    g_assert_cmpfloat_with_epsilon(grown[0], -grown[1], 1e-8);
+    g_assert_cmpfloat_with_epsilon(cJSON_GetObjectItem(energy, "dampers")->valuedouble, 0, 1e-12);
+    cJSON_Delete(root);
+}
+
 /* A law is booked as the block that does the same, whichever way it is said. */
 static void test_booked_as_what_it_is(CliFixture *fixture, gconstpointer data)
 {
@@ -241,8 +318,11 @@ int main(int argc, char **argv)
     cli_test_add("/cli/typed-laws/equations", test_equations);
     cli_test_add("/cli/typed-laws/as-in-books", test_as_in_books);
     cli_test_add("/cli/typed-laws/one-symbol", test_one_symbol);
+    cli_test_add("/cli/typed-laws/text-of-numbers", test_text_of_numbers);
+    cli_test_add("/cli/typed-laws/stored-by-a-sum", test_stored_by_a_sum);
     cli_test_add("/cli/typed-laws/booked-as-what-it-is", test_booked_as_what_it_is);
     cli_test_add("/cli/typed-laws/drag-is-taken", test_drag_is_taken);
+    cli_test_add("/cli/typed-laws/no-numbers-of-json", test_texts_that_are_no_numbers_of_json);
     cli_test_add("/cli/typed-laws/units-are-kept", test_units_are_kept);
     return g_test_run();
 }

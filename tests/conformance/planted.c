@@ -1,5 +1,5 @@
 /* One good library, and with PLANT_... defined the same with one fault. It has line laws (pull, rub), force elements
- * (pair, follow), a field (gather), a body (ball), constraints (keep, hold), a motion (sway) and an integrator
+ * (pair, follow, knock), a field (gather), a body (ball), constraints (keep, hold), a motion (sway) and an integrator
  * (simple). */
 #include <locale.h>
 #include <sys/stat.h>
@@ -73,6 +73,9 @@ static const TinkerBlockType blocks[] = {
     {TINKER_BLOCK(FOLLOW_ID, "Follow", TINKER_FORCE), .summary = "A jet", .least_ends = 2, .most_ends = 2,
      .end_accepts = ANY, .properties = TINKER_SPAN(planted_follow_properties),
      .interfaces = TINKER_SPAN(planted_follow_interfaces)},
+    {TINKER_BLOCK("planted-knock", "Knock", TINKER_FORCE), .summary = "A blow", .least_ends = 1, .most_ends = 1,
+     .end_accepts = TINKER_ACCEPTS_BODY, .properties = TINKER_SPAN(planted_knock_properties),
+     .interfaces = TINKER_SPAN(planted_knock_interfaces), .law = TINKER_SPAN(planted_knock_law)},
     {TINKER_BLOCK("planted-gather", "Gather", TINKER_FIELD), .summary = "Draws all together",
      .properties = TINKER_SPAN(planted_gather_properties), .interfaces = TINKER_SPAN(planted_gather_interfaces)},
     {TINKER_BLOCK("planted-ball", "Ball", TINKER_CONNECTABLE), .summary = "A point with a mass",

@@ -25,13 +25,20 @@ TinkerStatus planted_prepare(TinkerBatch *batch);
 extern const TinkerLawEquation planted_pull_law[PLANTED_LAW];
 #endif
 
-extern const TinkerPropertyType planted_pull_properties[3], planted_rub_properties[4], planted_follow_properties[1],
-    planted_gather_properties[1], planted_ball_properties[4], planted_keep_properties[1], planted_hold_properties[1],
-    planted_sway_properties[4];
+#if defined(PLANT_blow_missing)
+#define PLANTED_KNOCK_LAW 3
+#else
+#define PLANTED_KNOCK_LAW 4
+#endif
+extern const TinkerLawEquation planted_knock_law[PLANTED_KNOCK_LAW];
+
+extern const TinkerPropertyType planted_pull_properties[3], planted_knock_properties[2], planted_rub_properties[4],
+    planted_follow_properties[1], planted_gather_properties[1], planted_ball_properties[4], planted_keep_properties[1],
+    planted_hold_properties[1], planted_sway_properties[4];
 extern const TinkerQuantityType planted_quantities[1];
-extern const TinkerInterface planted_pull_interfaces[4], planted_rub_interfaces[1], planted_pair_interfaces[1],
-    planted_follow_interfaces[1], planted_gather_interfaces[1], planted_ball_interfaces[1], planted_keep_interfaces[1],
-    planted_hold_interfaces[1], planted_sway_interfaces[1];
+extern const TinkerInterface planted_pull_interfaces[4], planted_knock_interfaces[1], planted_rub_interfaces[1],
+    planted_pair_interfaces[1], planted_follow_interfaces[1], planted_gather_interfaces[1], planted_ball_interfaces[1],
+    planted_keep_interfaces[1], planted_hold_interfaces[1], planted_sway_interfaces[1];
 extern const TinkerIntegrator planted_integrators[1];
 
 #endif

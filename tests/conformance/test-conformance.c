@@ -56,6 +56,8 @@ static const struct {
     {"law_text", "law", "planted-pull",
      "its law cannot be read: tension = k*(L - LO) + c*rate: column 8: unknown name \"LO\"; did you mean \"L\"?"},
     {"law_missing", "law", "planted-pull", "its law says nothing of \"tension\""},
+    {"blow_value", "law", "planted-knock", "\"impulse\" is "},
+    {"blow_missing", "law", "planted-knock", "its law says nothing of \"impulse_y\""},
     {"first", "batches", "planted-pull", "in a slice of 1 from 7 on"},
     {"remembers", "batches", "planted-pull", "when it is called again with the same values"},
     {"nan", "finite", "planted-pull", "\"tension\" of instance 0 is nan at coincident ends"},

@@ -1,7 +1,10 @@
 /* Forces on the canvas, without a display: how long they are drawn. */
+#include <math.h>
 #include <string.h>
 
 #include "gui/canvas/canvas-forces.h"
+#include "gui/document/forces-now.h"
+#include "physics/run/acting-forces.h"
 #include "player-fixture.h"
 
 #define SIDE 400 /* canvas units */
@@ -93,13 +96,28 @@ static void test_arrow_at_a_place(void)
     CanvasForces *forces = canvas_forces_new();
     TinkerScene *scene = tinker_document_scene(fixture->document);
     g_bytes_unref(drawn_at(fixture, forces, 0));
-    const TinkerSpot *spot = canvas_forces_at(forces, SIDE / 2 + 10, SIDE / 2 + 2, 4);
+    const TinkerSpot *spot = tinker_spots_at(canvas_forces_spots(forces), SIDE / 2 + 10, SIDE / 2 + 2, 4);
     g_assert_nonnull(spot);
     g_assert_cmpint(spot->what.block, ==, tinker_scene_find_block(scene, "F"));
     g_assert_cmpint(spot->what.on, ==, tinker_scene_find_block(scene, "M"));
     g_assert_true(g_str_has_prefix(spot->text, "F "));
-    g_assert_null(canvas_forces_at(forces, SIDE / 2 - 10, SIDE / 2, 4));
+    g_assert_null(tinker_spots_at(canvas_forces_spots(forces), SIDE / 2 - 10, SIDE / 2, 4));
     canvas_forces_free(forces);
+}
+
+/* Between two samples it is the force of that very moment: 1000 N at 0.5 s, and half a sample later 999 exp(-0.01) + 1,
+ * as (0.005/0.05)^2 is 0.01. */
+static void test_between_samples(void)
+{
+    g_autoptr(PlayerFixture) fixture = player_fixture_new(PUSHED);
+    player_play(fixture);
+    player_wait_until(fixture, 1);
+    tinker_player_pause(fixture->player);
+    tinker_player_seek(fixture->player, 0.505);
+    const GArray *acting = tinker_forces_now(fixture->document, fixture->player);
+    g_assert_cmpuint(acting->len, ==, 1);
+    const TinkerActingForce *force = &g_array_index(acting, TinkerActingForce, 0);
+    g_assert_cmpfloat_with_epsilon(force->fx, 1 + 999 * exp(-0.01), 1e-9);
 }
 
 static void add_tests(void)
@@ -107,6 +125,7 @@ static void add_tests(void)
     g_test_add_func("/canvas-forces/arrow-at-a-place", test_arrow_at_a_place);
     g_test_add_func("/canvas-forces/label-beside-a-small-body", test_label_beside_a_small_body);
     g_test_add_func("/canvas-forces/peak", test_peak);
+    g_test_add_func("/canvas-forces/between-samples", test_between_samples);
 }
 
 int main(int argc, char **argv)

@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "law/typed-law.h"
-#include "units/compiled/compiled.h"
+#include "units/compiled/typed-energy.h"
 
 static const char *const arguments[] = {"L", "rate", "t"};
 
@@ -266,6 +266,35 @@ static void test_random_texts(void)
     tinker_typed_free(typed(nest->str, "2", "", &error));
 }
 
+static double stored(const char *law, double length)
+{
+    g_autoptr(GError) error = NULL;
+    TinkerTypedLaw *laws[] = {typed(law, "3 N", "2", &error)};
+    const TinkerBlockClass block_class = {.property_count = 3, .properties = properties};
+    g_assert_no_error(error);
+    tinker_typed_set_energies(&block_class, laws);
+    const double at[] = {length, -0.4, 0.9}, energy = tinker_typed_stored(laws[0], at);
+    g_assert_true(tinker_typed_stores(laws[0]) == !isnan(energy));
+    tinker_typed_free(laws[0]);
+    return energy;
+}
+
+/* The energy between two lengths is the integral of the tension at rest, whether the grammar has it or not: that of
+ * exp(-L^2) is an error function, that of sin(L)/L by its series. */
+static void test_stored(void)
+{
+    const double a = 0.3, b = 2.5;
+    assert_near(stored("a*L^2 + rate", b) - stored("a*L^2 + rate", a), pow(b, 3) - pow(a, 3));
+    assert_near(stored("a*exp(-L^2) + rate", b) - stored("a*exp(-L^2) + rate", a),
+                1.5 * sqrt(G_PI) * (erf(b) - erf(a)));
+    double sum = 0, up = b, down = a;
+    for (int n = 1; n < 40; n += 2, up *= -b * b / (n * (n - 1)), down *= -a * a / (n * (n - 1)))
+        sum += (up - down) / n;
+    assert_near(stored("sin(L)/L", b) - stored("sin(L)/L", a), sum);
+    g_assert_true(isnan(stored("exp(-L^2)*sin(t)", b)));
+    g_assert_true(isnan(stored("exp(-L^2)*sqrt(b - L)", a))); /* of longer ones it is no number */
+}
+
 int main(int argc, char **argv)
 {
     g_test_init(&argc, &argv, NULL);
@@ -276,6 +305,7 @@ int main(int argc, char **argv)
     g_test_add_func("/law/typed/many", test_many);
     g_test_add_func("/law/typed/many-places", test_many_places);
     g_test_add_func("/law/typed/refused", test_refused);
+    g_test_add_func("/law/typed/stored", test_stored);
     g_test_add_func("/law/typed/random-texts", test_random_texts);
     return g_test_run();
 }

@@ -18,17 +18,19 @@ static void look_of(const char *symbol, TinkerSymbolLook *look, G_GNUC_UNUSED vo
 static const struct {
     const char *source, *text, *latex;
 } cases[] = {
-    {"k_1*(L_1 - L0_1)", "k₁ (L₁ − L0₁)", "{k}_{1}\\,\\left({L}_{1}-{L}_{0,1}\\right)"},
+    {"k_1*(L_1 - L0_1)", "k₁ (L₁ − L0₁)", "{k}_{1}\\,({L}_{1}-{L}_{0,1})"},
     {"-m*9.81", "−m·9.81", "-{m}\\cdot 9.81"},
-    {"m*x^2/2", "m x² / 2", "\\frac{{m}\\,{{x}}^{2}}{2}"},
+    {"m*x^2/2", "m x² / 2", "\\frac{{m}\\,{x}^{2}}{2}"},
     {"x/(m*v)", "x / (m ẋ)", "\\frac{{x}}{{m}\\,\\dot{x}}"},
     {"(x/m)*v", "(x / m) ẋ", "\\frac{{x}}{{m}}\\,\\dot{x}"},
-    {"x - (m - v)", "x − (m − ẋ)", "{x}-\\left({m}-\\dot{x}\\right)"},
-    {"(x + 1)^-0.5", "(x + 1)^(−0.5)", "{\\left({x}+1\\right)}^{-0.5}"},
-    {"sqrt(x^2 + 1)", "√(x² + 1)", "\\sqrt{{{x}}^{2}+1}"},
-    {"sin(θ)*abs(x)", "sin(θ) |x|", "\\sin\\left({\\theta}\\right)\\,\\left|{x}\\right|"},
+    {"x - (m - v)", "x − (m − ẋ)", "{x}-({m}-\\dot{x})"},
+    {"(x + 1)^-0.5", "(x + 1)^(−0.5)", "{({x}+1)}^{-0.5}"},
+    {"sqrt(x^2 + 1)", "√(x² + 1)", "\\sqrt{{x}^{2}+1}"},
+    {"sin(θ)*abs(x)", "sin(θ) |x|", "\\sin({\\theta})\\,\\left|{x}\\right|"},
     {"if(x < 1, 2, 3e-7)", "(2 if x < 1, else 3e-07)",
      "\\begin{cases}2&\\text{if }{x}<1\\\\3\\cdot 10^{-7}&\\text{else}\\end{cases}"},
+    {"(x/2 + 1)*v^2", "(x / 2 + 1) ẋ²", "\\left(\\frac{{x}}{2}+1\\right)\\,\\dot{x}^{2}"},
+    {"L0_1^2", "L0₁²", "{L}_{0,1}^{2}"},
     {"2*pi*x", "2 π x", NULL},
 };
 
@@ -44,6 +46,8 @@ static const char *const spoken[] = {
     "root of, x squared plus 1",
     "sine of, theta, times the size of x",
     "2 if x is less than 1 else 3 times ten to the -7",
+    "x over 2 plus 1, times x dot squared",
+    "L nought one squared",
     "2 times pi times x",
 };
 
@@ -88,8 +92,11 @@ static void test_mathml(void)
         g_markup_parse_context_free(context);
     }
     g_autofree char *square = typeset("x^2", TINKER_TYPESET_MATHML);
-    g_assert_cmpstr(square, ==,
-                    "<mrow><msup><mrow><mrow><mi>x</mi></mrow></mrow><mrow><mn>2</mn></mrow></msup></mrow>");
+    g_assert_cmpstr(square, ==, "<mrow><msup><mi>x</mi><mrow><mn>2</mn></mrow></msup></mrow>");
+    /* over its index */
+    g_autofree char *both = typeset("k_1^2", TINKER_TYPESET_MATHML);
+    g_assert_cmpstr(both, ==,
+                    "<mrow><msubsup><mi>k</mi><mrow><mn>1</mn></mrow><mrow><mn>2</mn></mrow></msubsup></mrow>");
 }
 
 int main(int argc, char **argv)

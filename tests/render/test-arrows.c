@@ -366,6 +366,45 @@ static void test_places(void)
     stage_close(&stage);
 }
 
+/* Whether a point half the way from a head to the box of its label has ink, other than the ground. */
+static gboolean is_tied(const Stage *stage, const TinkerArrowPlace *place)
+{
+    const double *ground = stage->options.theme->background, *at = place->shaft + 2, *box = place->label;
+    const double x = CLAMP(at[0], box[0], box[2]), y = CLAMP(at[1], box[1], box[3]);
+    double found[4];
+    double most = 0;
+    for (int dx = -1; dx <= 1; dx++)
+        for (int dy = -1; dy <= 1; dy++) {
+            test_picture_pixel(stage->picture, (int)((at[0] + x) / 2) + dx, (int)((at[1] + y) / 2) + dy, found);
+            for (int k = 0; k < 3; k++)
+                most = fmax(most, fabs(found[k] - ground[k]));
+        }
+    return most > 0.1;
+}
+
+/* A label that has no room near its head is tied to it by a line, and one that stands there is not. */
+static void test_tied_labels(void)
+{
+    static const TinkerForceArrow arrow = {0, 0, 1, 0, "spring", TINKER_ARROW_CONNECTOR, 0};
+    static const double around[][4] = {{WIDTH / 2 - 60, HEIGHT / 2 - 60, WIDTH / 2 + 140, HEIGHT / 2 + 60}};
+    for (int far = 0; far < 2; far++) {
+        g_autoptr(GArray) places = g_array_new(FALSE, FALSE, sizeof(TinkerArrowPlace));
+        Stage stage;
+        stage_open(&stage, "light", 1);
+        stage.options.places = places;
+        stage.options.roomy = TRUE;
+        stage.options.drawn = around;
+        stage.options.drawn_count = far;
+        stage_draw(&stage, &arrow, 1);
+        g_assert_cmpuint(places->len, ==, 1);
+        const TinkerArrowPlace *place = &g_array_index(places, TinkerArrowPlace, 0);
+        g_assert_cmpfloat(place->shaft[2], ==, WIDTH / 2 + 50);
+        g_assert_true((distance_to(place->label, place->shaft[2], place->shaft[3]) > 40) == far);
+        g_assert_true(is_tied(&stage, place) == far);
+        stage_close(&stage);
+    }
+}
+
 int main(int argc, char **argv)
 {
     g_test_init(&argc, &argv, NULL);
@@ -374,6 +413,7 @@ int main(int argc, char **argv)
     g_test_add_data_func("/render/arrows/place/light", "light", test_place);
     g_test_add_data_func("/render/arrows/place/dark", "dark", test_place);
     g_test_add_func("/render/arrows/places", test_places);
+    g_test_add_func("/render/arrows/tied-labels", test_tied_labels);
     g_test_add_func("/render/arrows/crowd", test_crowd);
     g_test_add_func("/render/arrows/one-body", test_one_body);
     g_test_add_func("/render/arrows/edges", test_edges);

@@ -144,10 +144,12 @@ static void test_brackets(void)
     }
 }
 
-/* A power stands above half the height of what it is over; an index hangs below the line. */
+/* A power stands above half the height of what it is over; an index hangs below the line. Both stand one over the
+ * other. */
 static void test_scripts(void)
 {
-    Drawn plain, power, index;
+    Drawn plain, power, index, both;
+    draw(&both, "<msubsup>" X "<mn>2</mn><mn>2</mn></msubsup>");
     draw(&plain, X);
     draw(&power, "<msup>" X "<mn>2</mn></msup>");
     draw(&index, "<msub>" X "<mn>2</mn></msub>");
@@ -156,6 +158,11 @@ static void test_scripts(void)
     g_assert_cmpfloat(index.below, >, plain.below + 0.1 * SIZE);
     g_assert_cmpfloat(index.above, <=, plain.above + 0.5);
     g_assert_cmpint(pieces(&power), ==, 2);
+    g_assert_cmpint(pieces(&both), ==, 3);
+    g_assert_cmpfloat(fabs(both.width - fmax(power.width, index.width)), <, 0.5);
+    g_assert_cmpfloat(fabs(both.above - power.above), <, 0.5);
+    g_assert_cmpfloat(fabs(both.below - index.below), <, 0.5);
+    clear(&both);
     clear(&plain);
     clear(&power);
     clear(&index);

@@ -21,6 +21,8 @@ static void test_grammar(void)
     g_assert_cmpfloat(value("1+2*3^2", 0), ==, 19);
     g_assert_cmpfloat(value(" ( 1 + 2 ) * + 3\t", 0), ==, 9);
     g_assert_cmpfloat(value("1.5e1 + .5", 0), ==, 15.5);
+    g_assert_cmpfloat(value("+3*t", 2), ==, 6);
+    g_assert_cmpfloat(value(".5*t - +1.", 4), ==, 1);
     g_assert_cmpfloat(value("2*-t", 3), ==, -6);
     g_assert_cmpfloat(value("1 < 2 ", 0), ==, 1);
     g_assert_cmpfloat(value("1+1 < 2*1", 0), ==, 0);

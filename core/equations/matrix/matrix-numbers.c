@@ -13,12 +13,27 @@
 #define NO_ROOT  1e-12
 #define SOLVE    4 /* roundings of a solve, in units of the last place of the largest number */
 
-static double *numbers_of(const TinkerEquations *equations, const GPtrArray *entries)
+#define NO_SQUARE 8 /* roundings of the largest square of a frequency, times the coordinates: what is less is 0 */
+
+typedef struct {
+    const TinkerEquations *equations;
+    double *numbers;
+    guint n;
+} Numbers;
+
+static void put_number(guint row, guint column, const TinkerExpression *entry, void *data)
 {
-    double *numbers = g_new(double, entries->len);
-    for (guint i = 0; i < entries->len; i++)
-        numbers[i] = tinker_equations_value(equations, g_ptr_array_index(entries, i));
-    return numbers;
+    const Numbers *self = data;
+    self->numbers[row * self->n + column] = tinker_equations_value(self->equations, entry);
+}
+
+/* A matrix by rows. (transfer full) */
+static double *numbers_of(const TinkerEquations *equations, const TinkerMatrixIsland *island, TinkerMatrixKind kind)
+{
+    const guint n = island->coordinates->len;
+    Numbers self = {equations, g_new0(double, (gsize)n *n), n};
+    tinker_matrix_each(island, kind, put_number, &self);
+    return self.numbers;
 }
 
 /* Rest ------------------------------------------------------------------------------------------------------------- */
@@ -86,7 +101,7 @@ static TinkerExpression *varying_part(const TinkerEquations *equations, const Ti
 void tinker_matrix_count_from_rest(const TinkerEquations *equations, TinkerMatrixIsland *island)
 {
     const lapack_int n = (lapack_int)island->coordinates->len;
-    g_autofree double *k = numbers_of(equations, island->stiffness), *rest = g_new(double, 2 * n);
+    g_autofree double *k = numbers_of(equations, island, TINKER_MATRIX_STIFFNESS), *rest = g_new(double, 2 * n);
     double *rounding = rest + n, farthest = 0;
     g_autofree lapack_int *pivots = g_new(lapack_int, n);
     Rest question = {equations};
@@ -169,20 +184,48 @@ static void keep_roots(TinkerMatrixIsland *island, Root *roots, guint count)
     }
 }
 
-/* A x = s x with A = [0 1; -M^-1 K, -M^-1 C]; M is diagonal. */
-void tinker_matrix_roots(const TinkerEquations *equations, TinkerMatrixIsland *island)
+static void count_entry(G_GNUC_UNUSED guint row, G_GNUC_UNUSED guint column,
+                        G_GNUC_UNUSED const TinkerExpression *entry, void *data)
 {
-    const guint n = island->coordinates->len, size = 2 * n;
-    g_autofree double *m = numbers_of(equations, island->mass), *k = numbers_of(equations, island->stiffness);
-    g_autofree double *c = numbers_of(equations, island->damping), *a = g_new0(double, size *size);
-    g_autofree double *re = g_new0(double, size), *im = g_new0(double, size);
-    g_autofree Root *roots = g_new0(Root, size);
-    double **const results[] = {&island->omega, &island->zeta, &island->decay, &island->unstable};
-    for (gsize i = 0; i < G_N_ELEMENTS(results); i++) {
-        *results[i] = g_new(double, size);
-        for (guint j = 0; j < size; j++)
-            (*results[i])[j] = NAN;
+    ++*(guint *)data;
+}
+
+gboolean tinker_matrix_is_symmetric(const TinkerEquations *equations, const TinkerMatrixIsland *island)
+{
+    const guint n = island->coordinates->len;
+    guint dampers = 0;
+    tinker_matrix_each(island, TINKER_MATRIX_DAMPING, count_entry, &dampers);
+    if (dampers > 0) return FALSE;
+    g_autofree double *k = numbers_of(equations, island, TINKER_MATRIX_STIFFNESS);
+    for (guint i = 0; i < n; i++)
+        for (guint j = 0; j < i; j++)
+            if (k[i * n + j] != k[j * n + i]) return FALSE;
+    return TRUE;
+}
+
+/* The squares of the frequencies are the eigenvalues of M^-1/2 K M^-1/2. FALSE: they are not found. */
+static gboolean symmetric_roots(const double *m, double *k, guint n, Root *roots)
+{
+    g_autofree double *square = g_new(double, n);
+    for (guint i = 0; i < n; i++)
+        for (guint j = 0; j < n; j++)
+            k[i * n + j] /= sqrt(m[i * n + i]) * sqrt(m[j * n + j]);
+    if (LAPACKE_dsyev(LAPACK_ROW_MAJOR, 'N', 'U', (lapack_int)n, k, (lapack_int)n, square) != 0) return FALSE;
+    const double least = NO_SQUARE * n * DBL_EPSILON * fmax(fabs(square[0]), fabs(square[n - 1]));
+    for (guint i = 0; i < n; i++) {
+        const double root = fabs(square[i]) > least ? sqrt(fabs(square[i])) : 0;
+        roots[2 * i] = square[i] < 0 ? (Root){-root, 0} : (Root){0, -root};
+        roots[2 * i + 1] = square[i] < 0 ? (Root){root, 0} : (Root){0, root};
     }
+    return TRUE;
+}
+
+/* A x = s x with A = [0 1; -M^-1 K, -M^-1 C]; M is diagonal. FALSE: they are not found. */
+static gboolean general_roots(const double *m, const double *k, const double *c, guint n, Root *roots)
+{
+    const guint size = 2 * n;
+    g_autofree double *a = g_new0(double, (gsize)size *size);
+    g_autofree double *re = g_new0(double, size), *im = g_new0(double, size);
     for (guint i = 0; i < n; i++) {
         a[i * size + n + i] = 1;
         for (guint j = 0; j < n; j++) {
@@ -191,8 +234,25 @@ void tinker_matrix_roots(const TinkerEquations *equations, TinkerMatrixIsland *i
         }
     }
     const lapack_int order = (lapack_int)size;
-    if (LAPACKE_dgeev(LAPACK_ROW_MAJOR, 'N', 'N', order, a, order, re, im, NULL, 1, NULL, 1) != 0) return;
+    if (LAPACKE_dgeev(LAPACK_ROW_MAJOR, 'N', 'N', order, a, order, re, im, NULL, 1, NULL, 1) != 0) return FALSE;
     for (guint i = 0; i < size; i++)
         roots[i] = (Root){re[i], im[i]};
-    keep_roots(island, roots, size);
+    return TRUE;
+}
+
+void tinker_matrix_roots(const TinkerEquations *equations, TinkerMatrixIsland *island)
+{
+    const guint n = island->coordinates->len, size = 2 * n;
+    g_autofree double *m = numbers_of(equations, island, TINKER_MATRIX_MASS);
+    g_autofree double *k = numbers_of(equations, island, TINKER_MATRIX_STIFFNESS);
+    g_autofree double *c = numbers_of(equations, island, TINKER_MATRIX_DAMPING);
+    g_autofree Root *roots = g_new0(Root, size);
+    double **const results[] = {&island->omega, &island->zeta, &island->decay, &island->unstable};
+    for (gsize i = 0; i < G_N_ELEMENTS(results); i++) {
+        *results[i] = g_new(double, size);
+        for (guint j = 0; j < size; j++)
+            (*results[i])[j] = NAN;
+    }
+    const gboolean symmetric = island->sparse[0] != NULL && tinker_matrix_is_symmetric(equations, island);
+    if (symmetric ? symmetric_roots(m, k, n, roots) : general_roots(m, k, c, n, roots)) keep_roots(island, roots, size);
 }

@@ -7,6 +7,9 @@
 /* Fills omega, zeta, decay and unstable. */
 void tinker_matrix_roots(const TinkerEquations *equations, TinkerMatrixIsland *island);
 
+/* Whether it has no damping, and K is symmetric. */
+gboolean tinker_matrix_is_symmetric(const TinkerEquations *equations, const TinkerMatrixIsland *island);
+
 /* Counts from rest where K is regular: fills `about` by the constant loads, and leaves those that vary in `load`. */
 void tinker_matrix_count_from_rest(const TinkerEquations *equations, TinkerMatrixIsland *island);
 

@@ -10,11 +10,13 @@
 #include "equations/matrix/matrix-private.h"
 #include "law/derivative.h"
 
-#define MOST_COORDINATES 64
-#define MOST_SPARSE      50000             /* the numbers of their entries are 32 bits wide */
-#define ROUNDING         (4 * DBL_EPSILON) /* of a unit vector */
+#define MOST_DENSE     64    /* coordinates; matrices of more have those entries alone that are not 0, and ... */
+#define MOST_ROOTS     256   /* ... up to so many have their roots, */
+#define MOST_SYMMETRIC 512   /* without damping */
+#define MOST_SPARSE    50000 /* the numbers of their entries are 32 bits wide */
+#define ROUNDING       (4 * DBL_EPSILON) /* of a unit vector */
 
-static const char too_many[] = "it has too many coordinates to be written out";
+static const char too_many[] = "it has too many coordinates to be written out (256 can be, or 512 without dampers)";
 
 typedef struct {
     const TinkerEquations *equations;
@@ -294,7 +296,7 @@ static gboolean write_island(Builder *builder, const TinkerIslandPlan *plan)
         builder->why = too_many;
         return FALSE;
     }
-    if (n > MOST_COORDINATES) {
+    if (n > MOST_DENSE) {
         tinker_matrix_sparse_init(builder->island);
     } else {
         builder->island->mass = zeros(n * n);
@@ -329,7 +331,16 @@ static void reason_free(void *data)
     g_free(data);
 }
 
-TinkerMatrixForm *tinker_matrix_form_new(const TinkerEquations *equations, const TinkerPlan *plan)
+/* Whether an island is small enough for its numbers. */
+static gboolean has_numbers(const TinkerEquations *equations, const TinkerMatrixIsland *island, gboolean all_numbers)
+{
+    const guint n = island->coordinates->len;
+    if (island->sparse[0] == NULL) return TRUE;
+    if (!all_numbers) return FALSE;
+    return n <= MOST_ROOTS || (n <= MOST_SYMMETRIC && tinker_matrix_is_symmetric(equations, island));
+}
+
+TinkerMatrixForm *tinker_matrix_form_new(const TinkerEquations *equations, const TinkerPlan *plan, gboolean all_numbers)
 {
     TinkerMatrixForm *form = g_new(TinkerMatrixForm, 1);
     *form = (TinkerMatrixForm){g_ptr_array_new_with_free_func(island_free), g_ptr_array_new_with_free_func(island_free),
@@ -342,7 +353,7 @@ TinkerMatrixForm *tinker_matrix_form_new(const TinkerEquations *equations, const
         g_array_set_clear_func(island->coordinates, coordinate_clear);
         Builder builder = {equations, island, NULL};
         const gboolean written = write_island(&builder, each);
-        if (written && island->sparse[0] != NULL) {
+        if (written && !has_numbers(equations, island, all_numbers)) {
             add_reason(form, each, too_many);
             g_ptr_array_add(form->large, island);
         } else if (written) {

@@ -22,7 +22,7 @@ typedef struct {
     GArray *blocks;      /* of TinkerBlockId: bodies, then what acts on them */
     GArray *coordinates; /* of TinkerMatrixCoordinate */
     GPtrArray *mass, *damping, *stiffness, *load;
-    GHashTable *sparse[TINKER_MATRICES]; /* in the place of these of an island in `large`: see tinker_matrix_each */
+    GHashTable *sparse[TINKER_MATRICES]; /* in the place of these of many coordinates: see tinker_matrix_each */
     gboolean about_rest;                 /* K is regular: constant loads are in `about` */
     /* of pairs of roots s: omega^2 = s1 s2, 2 zeta omega = -(s1 + s2); of NAN there is none: */
     double *omega, *zeta, *decay, *unstable; /* unstable: two a pair */
@@ -35,8 +35,10 @@ typedef struct {
                        reason */
 } TinkerMatrixForm;
 
-/* The islands of a plan that are linear. (transfer full) */
-TinkerMatrixForm *tinker_matrix_form_new(const TinkerEquations *equations, const TinkerPlan *plan);
+/* The islands of a plan that are linear. Up to 64 coordinates they have rest and roots; `all_numbers` of more, up to
+ * 256, or 512 of a symmetric matrix without damping, whose roots cost less. (transfer full) */
+TinkerMatrixForm *tinker_matrix_form_new(const TinkerEquations *equations, const TinkerPlan *plan,
+                                         gboolean all_numbers);
 void tinker_matrix_form_free(TinkerMatrixForm *form);
 G_DEFINE_AUTOPTR_CLEANUP_FUNC(TinkerMatrixForm, tinker_matrix_form_free)
 

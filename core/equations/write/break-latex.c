@@ -147,7 +147,7 @@ static double take(const char **at, const char *end)
     *at = g_utf8_next_char(*at);
     if (strchr("+-=<>", sign) != NULL) return OPERATOR;
     if (sign == ' ') return 0;
-    if (g_ascii_isdigit(sign)) return 5;
+    if (g_ascii_isdigit(sign) || sign == '(' || sign == ')') return 5;
     return strchr("mMW&", sign) != NULL ? 10.5 : g_ascii_isupper(sign) ? 8 : 6.3;
 }
 
@@ -167,7 +167,8 @@ double tinker_latex_width(const char *formula)
 /* Where a line may end: before a sign. */
 typedef struct {
     const char *at;
-    int depth; /* of brackets around it */
+    int depth; /* of brackets around it, */
+    int open;  /* and of those that grow */
     double width;
 } Place;
 
@@ -200,25 +201,29 @@ GPtrArray *tinker_latex_lines(const char *formula, double most)
     GPtrArray *lines = g_ptr_array_new_with_free_func(g_free);
     g_autoptr(GArray) places = g_array_new(FALSE, FALSE, sizeof(Place));
     const char *end = formula + strlen(formula), *begin = formula, *at = formula;
-    int depth = 0, open = 0;
+    int depth = 0, grown = 0, open = 0;
     double width = 0;
     gboolean behind_operand = FALSE;
     while (at < end) {
         const char *token = at;
         const gboolean sign = strchr("+-=", *token) != NULL;
-        if (sign && behind_operand) g_array_append_vals(places, &(Place){token, depth, width}, 1);
+        if (sign && behind_operand) g_array_append_vals(places, &(Place){token, depth, grown, width}, 1);
         width += take(&at, end);
-        depth += begins(token, end, "\\left") - begins(token, end, "\\right");
-        if (*token != ' ') behind_operand = !sign && !begins(token, end, "\\left") && *token != ',';
+        const int grows = begins(token, end, "\\left") - begins(token, end, "\\right");
+        const int deeper = grows + (*token == '(') - (*token == ')');
+        grown += grows;
+        depth += deeper;
+        if (*token != ' ') behind_operand = !sign && deeper <= 0 && *token != ',';
         if (width <= most || places->len == 0) continue;
         const Place place = *best_place(places, most);
-        add_line(lines, begin, place.at, open, place.depth);
+        add_line(lines, begin, place.at, open, place.open);
         begin = at = place.at;
-        depth = open = place.depth;
+        depth = place.depth;
+        grown = open = place.open;
         width = 0;
         behind_operand = FALSE;
         g_array_set_size(places, 0);
     }
-    add_line(lines, begin, end, open, depth);
+    add_line(lines, begin, end, open, grown);
     return lines;
 }

@@ -4,41 +4,24 @@
 #include <string.h>
 
 #include "equations/write/break-latex.h"
+#include "equations/write/latex-text.h"
 #include "equations/write/page-private.h"
 #include "units/quantity/units.h"
 
 enum { LEFT, RIGHT, COMMENT, PARTS };
 
-static const char latex_head[] =
-    "\\documentclass[a4paper]{article}\n\\usepackage[utf8]{inputenc}\n\\usepackage[T1]{fontenc}\n"
-    "\\usepackage{amsmath,graphicx}\n\\usepackage[margin=20mm,landscape]{geometry}\n"
-    "\\allowdisplaybreaks\n\\begin{document}\n";
 static const char html_head[] =
     "<!DOCTYPE html>\n<html lang=\"%s\">\n<head>\n<meta charset=\"utf-8\">\n<title>%s</title>\n<style>\n"
-    ":root { color-scheme: light dark; }\nbody { font-family: sans-serif; margin: 2em auto; max-width: 60em; }\n"
-    "div.rows { overflow-x: auto; }\ntd { padding: 0.25em 0.4em; vertical-align: middle; }\n"
-    "td:first-child { text-align: right; white-space: nowrap; }\n</style>\n</head>\n<body>\n<h1>%s</h1>\n";
-
-/* Plain text within LaTeX. (transfer full) */
-static char *latex_text(const char *text)
-{
-    GString *safe = g_string_new(NULL);
-    for (const char *p = text; *p != '\0'; p++) {
-        if (strchr("#$%&_{}", *p) != NULL)
-            g_string_append_printf(safe, "\\%c", *p);
-        else if (*p == '\\')
-            g_string_append(safe, "\\textbackslash{}");
-        else if (*p == '^' || *p == '~')
-            g_string_append_printf(safe, "\\%c{}", *p);
-        else
-            g_string_append_c(safe, *p);
-    }
-    return g_string_free(safe, FALSE);
-}
+    ":root { color-scheme: light dark; }\nbody { font-family: sans-serif; margin: 2em auto; padding: 0 1em; max-width: "
+    "60em; }\n"
+    "math { font-size: 1.2em; }\ndiv.rows { overflow-x: auto; margin-bottom: 0.8em; }\n"
+    "td { padding: 0.2em 0.25em; vertical-align: baseline; }\ntd:first-child { text-align: right; white-space: nowrap; "
+    "}\n"
+    "td:last-child { padding-left: 1.5em; }\n</style>\n</head>\n<body>\n<h1>%s</h1>\n";
 
 static char *safe_text(const TinkerPage *page, const char *text)
 {
-    if (page->format == TINKER_TYPESET_LATEX) return latex_text(text);
+    if (page->format == TINKER_TYPESET_LATEX) return tinker_latex_text(text);
     return page->format == TINKER_TYPESET_MATHML ? g_markup_escape_text(text, -1) : g_strdup(text);
 }
 
@@ -49,7 +32,7 @@ void tinker_page_begin(TinkerPage *page, TinkerTypesetFormat format, const Tinke
         (TinkerPage){g_string_new(NULL), format, equations, g_ptr_array_new_with_free_func(g_free), NULL, -1, FALSE};
     g_autofree char *safe = safe_text(page, title);
     if (format == TINKER_TYPESET_LATEX)
-        g_string_append_printf(page->text, "%s\\section*{%s}\n", latex_head, safe);
+        g_string_append_printf(page->text, "%s\\section*{%s}\n", tinker_latex_head, safe);
     else if (format == TINKER_TYPESET_MATHML)
         g_string_append_printf(page->text, html_head, C_("language of the page", "en"), safe, safe);
     else
@@ -121,18 +104,13 @@ static void flush_text(TinkerPage *page, guint rows)
 #define GAPS         30.0 /* between columns, at least */
 
 /* Beside an equation; a long one in several lines. */
-static void add_latex_comment(TinkerPage *page, const char *comment, double width)
+static void add_latex_comment(TinkerPage *page, const char *comment)
 {
-    g_autofree char *safe = latex_text(comment);
-    if (width <= MOST_COMMENT)
+    g_autofree char *safe = tinker_latex_text(comment);
+    if (tinker_latex_text_width(comment) <= MOST_COMMENT)
         g_string_append_printf(page->text, " && \\text{%s}", safe);
     else
         g_string_append_printf(page->text, " && \\parbox[t]{%.0fpt}{\\raggedright %s}", MOST_COMMENT, safe);
-}
-
-static double comment_width(const char *comment)
-{
-    return comment != NULL ? 5.6 * (double)g_utf8_strlen(comment, -1) : 0;
 }
 
 /* What cannot be cut, as a long root, is made smaller. (transfer full) */
@@ -161,7 +139,7 @@ static void add_latex_row(TinkerPage *page, guint row, double most)
             g_string_append_printf(page->text, "&%s", line);
         else
             g_string_append_printf(page->text, "%s &= %s", left, line);
-        if (i == 0 && comment != NULL) add_latex_comment(page, comment, comment_width(comment));
+        if (i == 0 && comment != NULL) add_latex_comment(page, comment);
     }
 }
 
@@ -171,7 +149,8 @@ static void flush_latex(TinkerPage *page, guint rows)
     for (guint i = 0; i < rows; i++) {
         const double width = tinker_latex_width(row_part(page, i, LEFT));
         if (width <= MOST_LEFT) left = MAX(left, width);
-        comment = MAX(comment, comment_width(row_part(page, i, COMMENT)));
+        const char *text = row_part(page, i, COMMENT);
+        if (text != NULL) comment = MAX(comment, tinker_latex_text_width(text));
     }
     const double most = PAPER - left - MIN(comment, MOST_COMMENT) - GAPS - INDENT;
     g_string_append(page->text, "\\begin{align*}\n");

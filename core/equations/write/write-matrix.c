@@ -79,20 +79,17 @@ static char *named(const TinkerPage *page, const char *stem, const char *index)
     return g_string_free(text, FALSE);
 }
 
-/* ω of a root; where a block has one with that index, as a motor its frequency, with a 0 before it. */
-static char *natural_name(const TinkerPage *page, const char *index)
+/* The index of a root's ω; where a block has one with it, as a motor its frequency, with a 0 before. (transfer full) */
+static char *natural_index(const TinkerPage *page, const char *index)
 {
     g_autofree char *free = tinker_equations_free_index(page->equations, TINKER_NO_BLOCK, "ω", index, 0, NULL);
-    g_autofree char *own = strcmp(free, index) == 0 ? g_strdup(index) : g_strconcat("0,", index, NULL);
-    return named(page, "ω", own);
+    return strcmp(free, index) == 0 ? g_strdup(index) : g_strconcat("0,", index, NULL);
 }
 
-/* x^2. */
-static char *squared(const TinkerPage *page, const char *base)
+static char *natural_name(const TinkerPage *page, const char *index)
 {
-    static const char *const forms[] = {"%s²", "%s^{2}", "<msup>%s<mn>2</mn></msup>", "%s squared"};
-    const char *form = forms[page->format], *place = strstr(form, "%s");
-    return g_strdup_printf("%.*s%s%s", (int)(place - form), form, base, place + 2);
+    g_autofree char *own = natural_index(page, index);
+    return named(page, "ω", own);
 }
 
 /* The textbook's form of one coordinate: q'' + 2 ζ ω q' + ω^2 q = f / m. */
@@ -105,7 +102,8 @@ static void write_second_order(TinkerPage *page, const TinkerMatrixIsland *islan
     g_autofree char *q = coordinate(page, island, 0, 0), *speed = coordinate(page, island, 0, 1);
     g_autofree char *acceleration = coordinate(page, island, 0, 2);
     g_autofree char *ratio = named(page, "ζ", ""), *natural = natural_name(page, "0");
-    g_autofree char *square = squared(page, natural);
+    g_autofree char *index = natural_index(page, "0");
+    g_autofree char *square = tinker_symbol_squared(&(TinkerSymbolLook){.stem = "ω", .index = index}, page->format);
     g_autoptr(TinkerExpression) two = tinker_expression_number(2);
     g_autofree char *number = tinker_page_expression(page, two);
     g_string_append(sum, acceleration);

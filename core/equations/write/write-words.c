@@ -33,7 +33,7 @@ static const char *const words[] = {
     NC_("equations", "from joint to joint, across the way to its centre of mass"),
     NC_("equations", "it hangs on no rod from a support"),
     NC_("equations", "it has too many angles to be written out (24 can be)"),
-    NC_("equations", "it has too many coordinates to be written out"),
+    NC_("equations", "it has too many coordinates to be written out (256 can be, or 512 without dampers)"),
     NC_("equations", "it is linear in the angles of its shafts, not along one line"),
     NC_("equations", "it is linear in the plane, not along one line"),
     NC_("equations", "it is not linear"),

@@ -5,6 +5,7 @@
 #include <stddef.h>
 #include <string.h>
 
+#include "equations/write/latex-text.h"
 #include "equations/write/page-private.h"
 #include "law/build.h"
 
@@ -169,24 +170,30 @@ static GHashTable *needed_names(const TinkerEquations *equations, const TinkerEq
     return needed;
 }
 
-/* "Rod (unknown λ: minus its tension)", and how far friction goes. LaTeX has no letters for it in a text. */
+/* Within a comment. (transfer full) */
+static char *in_text(const TinkerPage *page, const TinkerExpression *expression)
+{
+    const gboolean latex = page->format == TINKER_TYPESET_LATEX;
+    TinkerPage plain = *page;
+    plain.format = latex ? TINKER_TYPESET_LATEX : TINKER_TYPESET_TEXT;
+    g_autofree char *formula = tinker_page_expression(&plain, expression);
+    return latex ? g_strconcat(TINKER_LATEX_FORMULA, formula, TINKER_LATEX_TEXT, NULL) : g_steal_pointer(&formula);
+}
+
+/* "Rod (unknown λ: minus its tension)", and how far friction goes. */
 static char *held_by(const TinkerPage *page, const TinkerConstraintEquation *row)
 {
     const TinkerEquationSymbol *multiplier = tinker_equations_symbol(page->equations, row->multiplier);
-    TinkerPage plain = *page;
-    plain.format = TINKER_TYPESET_TEXT;
     GString *text = g_string_new(name_of(page->equations, row->block));
-    if (page->format != TINKER_TYPESET_LATEX) {
-        const gboolean told = strcmp(multiplier->quantity, "multiplier") != 0;
-        g_autofree char *name = tinker_page_symbol(&plain, row->multiplier);
-        g_autofree char *limit = row->limit != NULL ? tinker_page_expression(&plain, row->limit) : NULL;
-        g_string_append_printf(text, C_("equations", " (unknown %s: %s"), name,
-                               told                                ? tinker_page_words(multiplier->quantity)
-                               : multiplier->dimension.length == 1 ? C_("equations", "force")
-                                                                   : C_("equations", "torque"));
-        if (limit != NULL) g_string_append_printf(text, C_("equations", ", sticks while |%s| ≤ %s"), name, limit);
-        g_string_append_c(text, ')');
-    }
+    const gboolean told = strcmp(multiplier->quantity, "multiplier") != 0;
+    g_autoptr(TinkerExpression) unknown = tinker_expression_symbol(row->multiplier);
+    g_autofree char *name = in_text(page, unknown), *limit = row->limit != NULL ? in_text(page, row->limit) : NULL;
+    g_string_append_printf(text, C_("equations", " (unknown %s: %s"), name,
+                           told                                ? tinker_page_words(multiplier->quantity)
+                           : multiplier->dimension.length == 1 ? C_("equations", "force")
+                                                               : C_("equations", "torque"));
+    if (limit != NULL) g_string_append_printf(text, C_("equations", ", sticks while |%s| ≤ %s"), name, limit);
+    g_string_append_c(text, ')');
     g_string_append(text, !row->active     ? C_("equations", ", slack")
                           : row->redundant ? C_("equations", ", one of those that share the load: least norm")
                                            : "");

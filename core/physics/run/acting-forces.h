@@ -67,4 +67,8 @@ const GArray *tinker_acting_forces_touches(const TinkerActingForces *forces);
  * compiling. */
 gboolean tinker_acting_forces_at_start(TinkerScene *scene, GArray *out, GError **error);
 
+/* Those so long (s, above 0) after that, of a run that is given up where it takes longer than the patience (s). Errors
+ * are those of running. */
+gboolean tinker_acting_forces_after(TinkerScene *scene, double time, double patience, GArray *out, GError **error);
+
 #endif

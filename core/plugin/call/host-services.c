@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "units/compiled/compiled.h"
+#include "units/compiled/typed-energy.h"
 
 #include <tinker/typed-law.h>
 
@@ -47,7 +48,7 @@ static void formula_slopes(const TinkerTypedQuestion *question, int32_t by, doub
 
 static double formula_energy(const TinkerTypedLaw *formula, const double *arguments)
 {
-    return formula->stored != NULL ? tinker_compiled_value(formula->stored, arguments) : NAN;
+    return tinker_typed_stored(formula, arguments);
 }
 
 static const TinkerTypedLawService formula_service = {sizeof(TinkerTypedLawService),

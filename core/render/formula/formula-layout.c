@@ -118,16 +118,26 @@ static void lay_out_fraction(FormulaNode *node)
     node->below = under->y + under->below;
 }
 
-static void lay_out_script(FormulaNode *node)
+static void lay_out_script(FormulaNode *node, guint number, gboolean raised)
 {
-    FormulaNode *base = formula_part(node, 0), *script = formula_part(node, 1);
+    FormulaNode *base = formula_part(node, 0), *script = formula_part(node, number);
     script->x = base->width + 0.04 * node->size;
-    script->y = node->kind == FORMULA_POWER
+    script->y = raised
                     ? -fmax(RAISE * node->size, base->above - 0.55 * script->above)
                     : fmax(LOWER * node->size, base->below + (base->above > 1.2 * node->size ? 0.1 * node->size : 0));
-    node->width = script->x + script->width;
-    node->above = fmax(base->above, script->above - script->y);
-    node->below = fmax(base->below, script->below + script->y);
+    node->width = fmax(node->width, script->x + script->width);
+    node->above = fmax(node->above, script->above - script->y);
+    node->below = fmax(node->below, script->below + script->y);
+}
+
+static void lay_out_scripts(FormulaNode *node)
+{
+    const FormulaNode *base = formula_part(node, 0);
+    node->width = base->width;
+    node->above = base->above;
+    node->below = base->below;
+    for (guint i = 1; i < node->parts->len; i++)
+        lay_out_script(node, i, node->kind == FORMULA_POWER || i == 2);
 }
 
 static void lay_out_root(FormulaNode *node)
@@ -182,8 +192,8 @@ static void lay_out_table(FormulaNode *table)
 /* What a part's letters have of its parent's size. */
 static double size_of_part(const FormulaNode *node, guint number)
 {
-    const gboolean script = (node->kind == FORMULA_POWER || node->kind == FORMULA_INDEX) && number == 1;
-    if (script) return fmin(node->size, fmax(SCRIPT * node->size, LEAST_SCRIPT));
+    const gboolean scripts = node->kind == FORMULA_POWER || node->kind == FORMULA_INDEX || node->kind == FORMULA_BOTH;
+    if (scripts && number > 0) return fmin(node->size, fmax(SCRIPT * node->size, LEAST_SCRIPT));
     return node->kind == FORMULA_FRACTION ? NESTED * node->size : node->size;
 }
 
@@ -204,7 +214,8 @@ void formula_lay_out(FormulaNode *node, TinkerTextPen *pen, double size)
         break;
     case FORMULA_POWER:
     case FORMULA_INDEX:
-        lay_out_script(node);
+    case FORMULA_BOTH:
+        lay_out_scripts(node);
         break;
     case FORMULA_ROOT:
         lay_out_root(node);

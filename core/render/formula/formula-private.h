@@ -13,6 +13,7 @@ typedef enum {
     FORMULA_FRACTION,
     FORMULA_POWER,
     FORMULA_INDEX,
+    FORMULA_BOTH, /* an index, and a power above it */
     FORMULA_ROOT,
     FORMULA_ACCENT,
     FORMULA_TABLE,

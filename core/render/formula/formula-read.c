@@ -9,11 +9,11 @@ static const struct {
     guint parts; /* that it has; 0: any number */
     gboolean text;
 } elements[] = {
-    {"mrow", FORMULA_ROW, 0, FALSE},       {"math", FORMULA_ROW, 0, FALSE},     {"mi", FORMULA_LETTER, 0, TRUE},
-    {"mn", FORMULA_DIGITS, 0, TRUE},       {"mo", FORMULA_SIGN, 0, TRUE},       {"mtext", FORMULA_WORDS, 0, TRUE},
-    {"mfrac", FORMULA_FRACTION, 2, FALSE}, {"msup", FORMULA_POWER, 2, FALSE},   {"msub", FORMULA_INDEX, 2, FALSE},
-    {"msqrt", FORMULA_ROOT, 0, FALSE},     {"mover", FORMULA_ACCENT, 2, FALSE}, {"mtable", FORMULA_TABLE, 0, FALSE},
-    {"mtr", FORMULA_TABLE_ROW, 0, FALSE},  {"mtd", FORMULA_CELL, 0, FALSE},
+    {"mrow", FORMULA_ROW, 0, FALSE},       {"math", FORMULA_ROW, 0, FALSE},      {"mi", FORMULA_LETTER, 0, TRUE},
+    {"mn", FORMULA_DIGITS, 0, TRUE},       {"mo", FORMULA_SIGN, 0, TRUE},        {"mtext", FORMULA_WORDS, 0, TRUE},
+    {"mfrac", FORMULA_FRACTION, 2, FALSE}, {"msup", FORMULA_POWER, 2, FALSE},    {"msub", FORMULA_INDEX, 2, FALSE},
+    {"msqrt", FORMULA_ROOT, 0, FALSE},     {"mover", FORMULA_ACCENT, 2, FALSE},  {"mtable", FORMULA_TABLE, 0, FALSE},
+    {"msubsup", FORMULA_BOTH, 3, FALSE},   {"mtr", FORMULA_TABLE_ROW, 0, FALSE}, {"mtd", FORMULA_CELL, 0, FALSE},
 };
 
 static FormulaNode *node_new(FormulaKind kind)

@@ -23,6 +23,11 @@
 #define STEP_COST   0.05
 #define ROOMY       5 /* what covering a drawing costs where there is room */
 
+/* Canvas units, of the thin line from a label to the head that it belongs to. */
+#define LEADER    0.8
+#define FAR_AWAY  20.0 /* labels that are farther from it have one, */
+#define TAKEN_FOR 0.8  /* and those that are nearer to another head, by this factor */
+
 static void take_places(ArrowDiagram *diagram)
 {
     const TinkerView *view = diagram->view;
@@ -48,19 +53,27 @@ static double keep_inside(double from, double width, double edge)
     return fmax(fmin(from, edge - MARGIN - width), MARGIN);
 }
 
+/* Where the label of an arrow belongs, canvas units. */
+static void label_end(const ArrowDiagram *diagram, const ArrowShaft *shaft, double at[2])
+{
+    const gboolean at_start = (shaft->arrow->look & TINKER_ARROW_PUSHES) != 0;
+    tinker_view_to_canvas(diagram->view, at_start ? shaft->x1 : shaft->x2, at_start ? shaft->y1 : shaft->y2, &at[0],
+                          &at[1]);
+}
+
 /* The place, number `turn` of those around the head and a step outwards, moved into the picture: the label's box, and
  * the cost of its being there. */
 static double place_cost(const ArrowDiagram *diagram, const ArrowShaft *shaft, int turn, int step, const double size[2],
                          double box[4])
 {
     const gboolean at_start = (shaft->arrow->look & TINKER_ARROW_PUSHES) != 0;
-    double x, y, ahead = atan2(shaft->y1 - shaft->y2, shaft->x2 - shaft->x1) + (at_start ? G_PI : 0);
+    double end[2], ahead = atan2(shaft->y1 - shaft->y2, shaft->x2 - shaft->x1) + (at_start ? G_PI : 0);
     double angle = ahead + (turn % 2 ? 1 : -1) * ((turn + 1) / 2) * 2 * G_PI / DIRECTIONS;
     double across = cos(angle), down = sin(angle), gap = GAP + STEP * step;
     double reach = fmin((size[0] / 2 + gap) / fabs(across), (size[1] / 2 + gap) / fabs(down));
-    tinker_view_to_canvas(diagram->view, at_start ? shaft->x1 : shaft->x2, at_start ? shaft->y1 : shaft->y2, &x, &y);
-    box[0] = keep_inside(x + reach * across - size[0] / 2, size[0], diagram->view->width);
-    box[1] = keep_inside(y + reach * down - size[1] / 2, size[1], diagram->view->height);
+    label_end(diagram, shaft, end);
+    box[0] = keep_inside(end[0] + reach * across - size[0] / 2, size[0], diagram->view->width);
+    box[1] = keep_inside(end[1] + reach * down - size[1] / 2, size[1], diagram->view->height);
     box[2] = box[0] + size[0];
     box[3] = box[1] + size[1];
     double drawing = tinker_occupancy_share(&diagram->map, box, TINKER_TAKEN_BY_DRAWING);
@@ -100,21 +113,74 @@ static gboolean is_free(const ArrowDiagram *diagram, const double box[4], guint8
     return tinker_occupancy_share(&diagram->map, box, of) == 0;
 }
 
-/* The free place in all of the picture that is nearest to the head; `best` stays where there is none. */
+static double distance_to(const double box[4], const double at[2])
+{
+    return hypot(fmax(fmax(box[0] - at[0], at[0] - box[2]), 0), fmax(fmax(box[1] - at[1], at[1] - box[3]), 0));
+}
+
+/* Whether no label stands between a box and the head that it belongs to. */
+static gboolean is_seen_from(const ArrowDiagram *diagram, const double box[4], const double end[2])
+{
+    const double x = CLAMP(end[0], box[0], box[2]) - end[0], y = CLAMP(end[1], box[1], box[3]) - end[1];
+    const int parts = (int)(hypot(x, y) / CELL);
+    for (int i = 1; i < parts; i++) {
+        const double at[2] = {end[0] + x * i / parts, end[1] + y * i / parts};
+        const double around[4] = {at[0] - LEADER, at[1] - LEADER, at[0] + LEADER, at[1] + LEADER};
+        if (!is_free(diagram, around, TINKER_TAKEN_BY_TEXT)) return FALSE;
+    }
+    return TRUE;
+}
+
+/* The free place in all of the picture that is nearest to the head, of those that are seen from there if there are any;
+ * `best` stays where there is none. */
 static void find_free_place(const ArrowDiagram *diagram, const ArrowShaft *shaft, const double size[2], double best[4])
 {
-    const gboolean at_start = (shaft->arrow->look & TINKER_ARROW_PUSHES) != 0;
     const TinkerView *view = diagram->view;
-    double x, y, least = INFINITY;
-    tinker_view_to_canvas(view, at_start ? shaft->x1 : shaft->x2, at_start ? shaft->y1 : shaft->y2, &x, &y);
+    double end[2], least = INFINITY;
+    gboolean any_seen = FALSE;
+    label_end(diagram, shaft, end);
     for (double top = MARGIN; top + size[1] <= view->height - MARGIN; top += CELL)
         for (double left = MARGIN; left + size[0] <= view->width - MARGIN; left += CELL) {
             const double box[4] = {left, top, left + size[0], top + size[1]};
-            const double off = hypot(fmax(fmax(left - x, x - box[2]), 0), fmax(fmax(top - y, y - box[3]), 0));
-            if (off >= least || !is_free(diagram, box, TINKER_TAKEN_BY_TEXT | TINKER_TAKEN_BY_DRAWING)) continue;
+            const double off = distance_to(box, end);
+            if ((any_seen && off >= least) || !is_free(diagram, box, TINKER_TAKEN_BY_TEXT | TINKER_TAKEN_BY_DRAWING))
+                continue;
+            const gboolean seen = is_seen_from(diagram, box, end);
+            if (seen == any_seen ? off >= least : any_seen) continue;
+            any_seen = seen;
             least = off;
             memcpy(best, box, sizeof box);
         }
+}
+
+/* Whether it is not plain whose label a box is: it is far off, or nearer to the end of another arrow. */
+static gboolean needs_leader(const ArrowDiagram *diagram, const ArrowShaft *shaft, const double box[4])
+{
+    double end[2];
+    label_end(diagram, shaft, end);
+    const double own = distance_to(box, end);
+    gboolean needed = own > FAR_AWAY;
+    for (guint i = 0; i < diagram->shafts->len && !needed; i++) {
+        const ArrowShaft *other = &g_array_index(diagram->shafts, ArrowShaft, i);
+        if (other == shaft) continue;
+        label_end(diagram, other, end);
+        needed = distance_to(box, end) < TAKEN_FOR * own;
+    }
+    return needed;
+}
+
+static void draw_leader(ArrowDiagram *diagram, const ArrowShaft *shaft, const double box[4])
+{
+    double end[2];
+    label_end(diagram, shaft, end);
+    const double from[2] = {CLAMP(end[0], box[0], box[2]), CLAMP(end[1], box[1], box[3])};
+    const double *colour = arrows_colour_of(diagram, shaft);
+    cairo_set_source_rgba(diagram->cairo, colour[0], colour[1], colour[2], colour[3]);
+    cairo_set_line_width(diagram->cairo, LEADER);
+    cairo_move_to(diagram->cairo, from[0], from[1]);
+    cairo_line_to(diagram->cairo, end[0], end[1]);
+    cairo_stroke(diagram->cairo);
+    tinker_occupancy_take_line(&diagram->map, from[0], from[1], end[0], end[1], CELL, TINKER_TAKEN_BY_DRAWING);
 }
 
 static void write_label(ArrowDiagram *diagram, ArrowShaft *shaft)
@@ -132,6 +198,7 @@ static void write_label(ArrowDiagram *diagram, ArrowShaft *shaft)
         find_free_place(diagram, shaft, size, best);
     if (!is_free(diagram, best, TINKER_TAKEN_BY_TEXT)) return;
     draw_plate(diagram, shaft, best);
+    if (diagram->options->roomy && needs_leader(diagram, shaft, best)) draw_leader(diagram, shaft, best);
     const double *ink = diagram->options->theme->colours[TINKER_COLOUR_TEXT];
     cairo_set_source_rgba(diagram->cairo, ink[0], ink[1], ink[2], ink[3]);
     tinker_text_draw(&diagram->brush.pen, diagram->cairo, &label, best[0] + BAR + BAR_GAP, best[1]);

@@ -4,6 +4,7 @@
 #include "law/typed-law.h"
 #include "plugin/call/guarded.h"
 #include "plugin/call/words.h"
+#include "units/compiled/typed-energy.h"
 #include "units/quantity/point-text.h"
 
 /* The rows of a table that are taken; their number is answered. */
@@ -119,7 +120,7 @@ gboolean tinker_block_batch_stores(const TinkerBlockBatch *batch, int32_t row)
 {
     TinkerTypedLaw *const *laws = batch->laws + (gsize)row * (gsize)batch->law_count;
     for (int32_t k = 0; k < batch->law_count; k++)
-        if (laws[k] != NULL && laws[k]->stored != NULL) return TRUE;
+        if (laws[k] != NULL && tinker_typed_stores(laws[k])) return TRUE;
     return FALSE;
 }
 
@@ -142,7 +143,7 @@ static void compile_row(TinkerBlockBatch *batch, int32_t row)
                             g_strdup_printf("%s: %s", tinker_scene_block_name(batch->scene, texts.block), note));
         law++;
     }
-    tinker_typed_find_energy(batch->block_class, laws, tinker_scene_text_of, &texts);
+    tinker_typed_set_energies(batch->block_class, laws);
     batch->has_timed_law = batch->has_timed_law || tinker_block_batch_is_timed(batch, row);
     for (int32_t k = 0; k < batch->law_count; k++)
         batch->has_law_of_velocity = batch->has_law_of_velocity || (laws[k] != NULL && laws[k]->depends_on_velocity);

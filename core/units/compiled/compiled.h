@@ -53,6 +53,8 @@ gboolean tinker_compiled_alike(const TinkerCompiled *a, const TinkerCompiled *b)
 /* Laws that differ in their numbers alone, one behind the other. */
 typedef struct _TinkerTypedRow TinkerTypedRow;
 
+typedef struct _TinkerTypedEnergy TinkerTypedEnergy;
+
 /* What plugins know as a formula (tinker/typed-law.h): an expression, its slopes and its curvatures. */
 struct TinkerTypedLaw {
     int count;  /* of arguments */
@@ -61,7 +63,8 @@ struct TinkerTypedLaw {
     TinkerCompiled **slopes;     /* by each argument */
     TinkerCompiled **curvatures; /* by two, row by row */
     TinkerTypedRow *row;         /* that it is a member of; NULL: none */
-    TinkerCompiled *stored;      /* the energy that it stores, over its arguments; NULL: none that is known */
+    TinkerTypedEnergy *energy;   /* that it stores (compiled/typed-energy.h); NULL: none that is known. Laws are looked
+                                    through one by one where many are asked, so the rest of it is elsewhere */
     gboolean depends_on_time, depends_on_velocity;
 };
 

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "units/compiled/compiled.h"
+#include "units/compiled/typed-energy.h"
 
 #define LINE           64 /* bytes, of the processor's cache: few numbers that begin amid one take a fifth longer */
 #define LEAST_TOGETHER 8  /* fewer are worked out one by one, which is faster */
@@ -104,7 +105,7 @@ void tinker_typed_free(TinkerTypedLaw *law)
         tinker_compiled_free(law->slopes[i]);
     for (int i = 0; i < law->count * law->count; i++)
         tinker_compiled_free(law->curvatures[i]);
-    tinker_compiled_free(law->stored);
+    tinker_typed_energy_free(law->energy);
     g_free(law->slopes);
     g_free(law->curvatures);
     if (law->row != NULL)

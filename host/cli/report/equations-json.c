@@ -173,13 +173,29 @@ static void add_reasons(cJSON *root, const TinkerEquations *equations, const GPt
 
 /* The matrix form -------------------------------------------------------------------------------------------------- */
 
-static void add_entries(cJSON *object, const char *key, const GPtrArray *entries, guint n)
+typedef struct {
+    const TinkerExpression **entries; /* by rows; NULL: 0 */
+    guint n;
+} Entries;
+
+static void put_entry(guint row, guint column, const TinkerExpression *entry, void *data)
 {
+    const Entries *self = data;
+    self->entries[row * self->n + column] = entry;
+}
+
+static void add_entries(cJSON *object, const char *key, const TinkerMatrixIsland *island, TinkerMatrixKind kind)
+{
+    const guint n = island->coordinates->len;
+    g_autofree const TinkerExpression **entries = g_new0(const TinkerExpression *, (gsize)n *n);
+    Entries self = {entries, n};
+    tinker_matrix_each(island, kind, put_entry, &self);
     cJSON *rows = cJSON_AddArrayToObject(object, key);
     for (guint i = 0; i < n; i++) {
         cJSON *row = cJSON_CreateArray();
         for (guint k = 0; k < n; k++)
-            cJSON_AddItemToArray(row, expression_json(g_ptr_array_index(entries, i * n + k)));
+            cJSON_AddItemToArray(row, entries[i * n + k] != NULL ? expression_json(entries[i * n + k])
+                                                                 : cJSON_CreateNumber(0));
         cJSON_AddItemToArray(rows, row);
     }
 }
@@ -221,9 +237,9 @@ static cJSON *island_json(const TinkerEquations *equations, const TinkerMatrixIs
     cJSON *object = cJSON_CreateObject();
     tinker_json_add_names(object, "blocks", equations->scene, island->blocks);
     add_coordinates(object, island);
-    add_entries(object, "M", island->mass, n);
-    add_entries(object, "C", island->damping, n);
-    add_entries(object, "K", island->stiffness, n);
+    add_entries(object, "M", island, TINKER_MATRIX_MASS);
+    add_entries(object, "C", island, TINKER_MATRIX_DAMPING);
+    add_entries(object, "K", island, TINKER_MATRIX_STIFFNESS);
     cJSON *load = cJSON_AddArrayToObject(object, "f");
     for (guint i = 0; i < n; i++)
         cJSON_AddItemToArray(load, expression_json(g_ptr_array_index(island->load, i)));

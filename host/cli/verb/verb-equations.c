@@ -78,7 +78,7 @@ static char *matrix_text(const TinkerEquations *equations, const TinkerEquations
     if ((model = tinker_model_new(open->scene, error)) == NULL) return NULL;
     if ((islands = tinker_islands_for(model, FALSE, error)) == NULL) return NULL;
     if ((plan = tinker_plan_new(model, islands, &run, error)) == NULL) return NULL;
-    g_autoptr(TinkerMatrixForm) form = tinker_matrix_form_new(equations, plan);
+    g_autoptr(TinkerMatrixForm) form = tinker_matrix_form_new(equations, plan, as == AS_JSON);
     return as == AS_JSON ? tinker_equations_matrix_json(equations, form)
                          : tinker_equations_write_matrix(equations, form, shown);
 }

@@ -69,6 +69,28 @@ void tinker_spots_move(GArray *spots, guint first, double dx, double dy)
     }
 }
 
+static const TinkerSpot *spot_at(const GPtrArray *spots, int number)
+{
+    return g_ptr_array_index(spots, number);
+}
+
+const TinkerSpot *tinker_spots_next(const GArray *spots, const TinkerPointed *from, int step)
+{
+    g_autoptr(GPtrArray) things = g_ptr_array_new();
+    int number = -1;
+    for (guint i = 0; i < spots->len; i++) {
+        TinkerSpot *spot = &g_array_index(spots, TinkerSpot, i);
+        gboolean is_new = TRUE;
+        for (int k = 0; k < (int)things->len && is_new; k++)
+            is_new = !tinker_pointed_same(&spot_at(things, k)->what, &spot->what);
+        if (!is_new) continue;
+        if (from != NULL && tinker_pointed_same(&spot->what, from)) number = (int)things->len;
+        g_ptr_array_add(things, spot);
+    }
+    if (things->len == 0) return NULL;
+    return spot_at(things, number < 0 ? 0 : CLAMP(number + step, 0, (int)things->len - 1));
+}
+
 static double distance(const TinkerSpot *spot, double x, double y)
 {
     const double *at = spot->at;

@@ -46,6 +46,10 @@ void tinker_spots_add_line(GArray *spots, const double ends[4], TinkerPointed wh
 /* Moves those from number `first` on by (dx, dy). */
 void tinker_spots_move(GArray *spots, guint first, double dx, double dy);
 
+/* Keys go through what there is, each thing once, in the order in which it was noted: the one so many behind this one,
+ * or the first; it ends at both ends. NULL: there is none. Borrowed. */
+const TinkerSpot *tinker_spots_next(const GArray *spots, const TinkerPointed *from, int step);
+
 /* The nearest within reach, of those as near the last one; NULL: none. Borrowed. */
 const TinkerSpot *tinker_spots_at(const GArray *spots, double x, double y, double reach);
 

@@ -147,7 +147,7 @@ void canvas_forces_draw(CanvasForces *forces, cairo_t *cairo, TinkerDocument *do
     tinker_force_arrows_draw(&arrows, cairo, view, look->theme);
 }
 
-const TinkerSpot *canvas_forces_at(const CanvasForces *forces, double x, double y, double reach)
+const GArray *canvas_forces_spots(const CanvasForces *forces)
 {
-    return tinker_spots_at(forces->spots, x, y, reach);
+    return forces->spots;
 }

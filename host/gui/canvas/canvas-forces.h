@@ -36,8 +36,7 @@ typedef struct {
 void canvas_forces_draw(CanvasForces *forces, cairo_t *cairo, TinkerDocument *document, TinkerPlayer *player,
                         const TinkerView *view, const CanvasForcesLook *look);
 
-/* The arrow or label that was drawn last within reach of a place (canvas units); NULL: none. Borrowed until the next
- * drawing. */
-const TinkerSpot *canvas_forces_at(const CanvasForces *forces, double x, double y, double reach);
+/* The arrows and labels that were drawn last (canvas units). Element: TinkerSpot. Borrowed until the next drawing. */
+const GArray *canvas_forces_spots(const CanvasForces *forces);
 
 #endif

@@ -4,11 +4,10 @@
 #include "analysis/start/joined.h"
 #include "gui/canvas/canvas-private.h"
 
-#define ARROW_REACH 4.0  /* widget units: how near to an arrow is at it */
-#define THRESHOLD   4.0  /* widget units: a press that moves less is a click */
-#define WHEEL_ZOOM  1.15 /* by one notch */
-#define WHEEL_PAN   60.0 /* widget units by one notch */
-#define FINE_NUDGE  1.0  /* widget units: an arrow key with Alt */
+#define THRESHOLD  4.0  /* widget units: a press that moves less is a click */
+#define WHEEL_ZOOM 1.15 /* by one notch */
+#define WHEEL_PAN  60.0 /* widget units by one notch */
+#define FINE_NUDGE 1.0  /* widget units: an arrow key with Alt */
 
 static void set_highlighted(TinkerCanvas *canvas, TinkerBlockId block)
 {
@@ -251,36 +250,16 @@ static gboolean on_scroll(GtkEventControllerScroll *controller, double dx, doubl
     return GDK_EVENT_STOP;
 }
 
-/* Arrows and their labels lie over the blocks. */
-static const TinkerSpot *arrow_at(TinkerCanvas *canvas, double x, double y)
-{
-    const double larger = canvas_magnification(canvas);
-    return canvas_forces_at(canvas->forces, x / larger, y / larger, ARROW_REACH / larger);
-}
-
-static void point_at(TinkerCanvas *canvas, double x, double y)
-{
-    const TinkerSpot *arrow = arrow_at(canvas, x, y);
-    if (canvas->points_at_arrow != (arrow != NULL)) gtk_widget_queue_draw(GTK_WIDGET(canvas));
-    canvas->points_at_arrow = arrow != NULL;
-    tinker_document_point(canvas->document,
-                          arrow != NULL ? arrow->what : tinker_pointed_block(hit_at(canvas, x, y, FALSE).block));
-}
-
 static void on_motion(GtkEventControllerMotion *controller, double x, double y, TinkerCanvas *canvas)
 {
     if (canvas->gesture != CANVAS_IDLE) return;
+    /* one that has not moved, as GTK tells of where widgets move, leaves what keys point at */
+    if (canvas->points && x == canvas->pointer[0] && y == canvas->pointer[1]) return;
     canvas->pointer[0] = x;
     canvas->pointer[1] = y;
     canvas->points = TRUE;
-    if (tinker_player_state(canvas->player) != TINKER_PLAYER_PLAYING) point_at(canvas, x, y);
-}
-
-static void on_leave(TinkerCanvas *canvas)
-{
-    const TinkerPointed nothing = tinker_pointed_block(TINKER_NO_BLOCK);
-    if (canvas->document != NULL) tinker_document_point(canvas->document, nothing);
-    canvas->points = canvas->points_at_arrow = FALSE;
+    if (tinker_player_state(canvas->player) != TINKER_PLAYER_PLAYING)
+        canvas_point_at(canvas, x, y, hit_at(canvas, x, y, FALSE).block);
 }
 
 static void on_pinch(GtkGestureZoom *gesture, double scale, TinkerCanvas *canvas)
@@ -357,9 +336,11 @@ static gboolean select_next(TinkerCanvas *canvas, int way)
     place += way;
     if (place < 0 || place >= count) {
         tinker_document_select(canvas->document, TINKER_NO_BLOCK);
+        canvas_reach_away(canvas);
         return GDK_EVENT_PROPAGATE; /* on to the next widget */
     }
     tinker_document_select(canvas->document, tinker_scene_block_at(scene, place));
+    canvas_reach_block(canvas, tinker_scene_block_at(scene, place));
     return GDK_EVENT_STOP;
 }
 
@@ -380,6 +361,10 @@ static gboolean on_key(GtkEventControllerKey *controller, guint key, guint code,
         return select_next(canvas, 1);
     case GDK_KEY_ISO_Left_Tab:
         return select_next(canvas, -1);
+    case GDK_KEY_Page_Down:
+    case GDK_KEY_Page_Up:
+        return modifiers & GDK_SHIFT_MASK ? GDK_EVENT_PROPAGATE
+                                          : canvas_reach_arrow(canvas, key == GDK_KEY_Page_Down ? 1 : -1);
     case GDK_KEY_Menu:
         return show_menu(canvas);
     case GDK_KEY_F10:
@@ -389,6 +374,7 @@ static gboolean on_key(GtkEventControllerKey *controller, guint key, guint code,
             canvas_cancel_gesture(canvas);
         else
             tinker_document_select(canvas->document, TINKER_NO_BLOCK);
+        canvas_reach_away(canvas);
         return GDK_EVENT_STOP;
     default:
         return GDK_EVENT_PROPAGATE;
@@ -421,9 +407,12 @@ void canvas_add_input(TinkerCanvas *canvas)
     gtk_widget_add_controller(GTK_WIDGET(canvas), scroll);
     GtkEventController *motion = gtk_event_controller_motion_new();
     g_signal_connect(motion, "motion", G_CALLBACK(on_motion), canvas);
-    g_signal_connect_swapped(motion, "leave", G_CALLBACK(on_leave), canvas);
+    g_signal_connect_swapped(motion, "leave", G_CALLBACK(canvas_point_away), canvas);
     gtk_widget_add_controller(GTK_WIDGET(canvas), motion);
     GtkEventController *keys = gtk_event_controller_key_new();
     g_signal_connect(keys, "key-pressed", G_CALLBACK(on_key), canvas);
     gtk_widget_add_controller(GTK_WIDGET(canvas), keys);
+    GtkEventController *focus = gtk_event_controller_focus_new();
+    g_signal_connect_swapped(focus, "leave", G_CALLBACK(canvas_reach_away), canvas);
+    gtk_widget_add_controller(GTK_WIDGET(canvas), focus);
 }

@@ -52,6 +52,8 @@ struct _TinkerCanvas {
     TinkerBlockId highlighted;
     gboolean points;          /* what is pointed at, is pointed at here: a block, which shows that anyway, */
     gboolean points_at_arrow; /* or an arrow or its label */
+    TinkerPointed reached;    /* what keys have come to, */
+    char *reached_text;       /* and what it says, of an arrow; else NULL */
     double group_moved[2];    /* m: so far */
     double panned[2];         /* widget units: so far, with the middle button */
 
@@ -105,6 +107,17 @@ void canvas_follow(TinkerCanvas *canvas);
 
 /* Sets up gestures, controllers and keys; canvas-input.c. */
 void canvas_add_input(TinkerCanvas *canvas);
+
+/* Points at an arrow that is at a place (widget units), else at the block under it; at nothing any more.
+ * canvas-point.c. */
+void canvas_point_at(TinkerCanvas *canvas, double x, double y, TinkerBlockId under);
+void canvas_point_away(TinkerCanvas *canvas);
+
+/* Points at what keys have come to, until they leave the canvas: a block; the arrow so many behind the last one, in the
+ * order in which they are drawn, which is told (FALSE: there is none). canvas-point.c. */
+void canvas_reach_block(TinkerCanvas *canvas, TinkerBlockId block);
+gboolean canvas_reach_arrow(TinkerCanvas *canvas, int step);
+void canvas_reach_away(TinkerCanvas *canvas);
 /* Ends whatever gesture is under way without an effect. */
 void canvas_cancel_gesture(TinkerCanvas *canvas);
 

@@ -52,9 +52,12 @@ void canvas_describe_view(TinkerCanvas *canvas)
     double middle[2];
     canvas_to_world(canvas, view->width / 2, view->height / 2, middle);
     g_autofree char *selection = selection_words(canvas);
-    g_autofree char *text =
+    g_autofree char *shown =
         g_strdup_printf(_("Shows %.6g m by %.6g m about (%.6g, %.6g); %s"), view->width / view->scale,
                         view->height / view->scale, middle[0], middle[1], selection);
+    /* first what keys have come to: who goes from arrow to arrow does not hear the rest again */
+    const char *reached = canvas->reached_text;
+    g_autofree char *text = reached != NULL ? g_strdup_printf("%s; %s", reached, shown) : g_steal_pointer(&shown);
     gtk_accessible_update_property(GTK_ACCESSIBLE(canvas), GTK_ACCESSIBLE_PROPERTY_DESCRIPTION, text, -1);
 }
 

@@ -182,6 +182,7 @@ static void tinker_canvas_finalize(GObject *object)
     g_hash_table_unref(TINKER_CANVAS(object)->faults);
     g_clear_handle_id(&TINKER_CANVAS(object)->telling, g_source_remove);
     canvas_forces_free(TINKER_CANVAS(object)->forces);
+    g_free(TINKER_CANVAS(object)->reached_text);
     g_array_unref(TINKER_CANVAS(object)->marked);
     G_OBJECT_CLASS(tinker_canvas_parent_class)->finalize(object);
 }
@@ -224,6 +225,7 @@ static void tinker_canvas_init(TinkerCanvas *canvas)
 {
     canvas->show_labels = canvas->show_grid = canvas->this_body_only = TRUE;
     canvas->force_factor = 1;
+    canvas->reached = tinker_pointed_block(TINKER_NO_BLOCK);
     canvas->view = (TinkerView){.scale = 100, .origin_x = 0, .origin_y = 0};
     canvas->highlighted = canvas->placing = canvas->followed = canvas->pressed.block = TINKER_NO_BLOCK;
     canvas->faults = g_hash_table_new_full(NULL, NULL, NULL, g_free);

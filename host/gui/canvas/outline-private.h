@@ -27,7 +27,8 @@ struct _TinkerOutline {
     GHashTable *rows; /* GtkListItem that are shown */
     char *wanted;     /* what is searched for, folded; "" for everything */
     gboolean mirroring;
-    guint refresh; /* id of the source that will refresh it, or 0 */
+    TinkerPointed reached; /* what is pointed at from here */
+    guint refresh;         /* id of the source that will refresh it, or 0 */
 };
 
 /* What makes rows of items. (transfer full) */

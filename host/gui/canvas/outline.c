@@ -59,6 +59,16 @@ static void on_selected(TinkerOutline *outline)
     outline->mirroring = TRUE;
     tinker_document_select_all_of(outline->document, (const TinkerBlockId *)(gpointer)blocks->data, (int)blocks->len);
     outline->mirroring = FALSE;
+    outline->reached =
+        tinker_pointed_block(blocks->len == 1 ? g_array_index(blocks, TinkerBlockId, 0) : TINKER_NO_BLOCK);
+    tinker_document_point(outline->document, outline->reached);
+}
+
+/* What keys had come to is pointed at no more. */
+static void on_left(TinkerOutline *outline)
+{
+    if (outline->document != NULL) tinker_document_point_away(outline->document, outline->reached);
+    outline->reached = tinker_pointed_block(TINKER_NO_BLOCK);
 }
 
 /* What is selected in the document is selected here, and can be seen. */
@@ -214,6 +224,9 @@ static GtkWidget *make_list(TinkerOutline *outline)
     gtk_accessible_update_property(GTK_ACCESSIBLE(outline->list), GTK_ACCESSIBLE_PROPERTY_LABEL, _("Outline"), -1);
     g_signal_connect_swapped(outline->list, "activate", G_CALLBACK(on_activated), outline);
     gtk_widget_add_css_class(outline->list, "navigation-sidebar");
+    GtkEventController *focus = gtk_event_controller_focus_new();
+    g_signal_connect_swapped(focus, "leave", G_CALLBACK(on_left), outline);
+    gtk_widget_add_controller(outline->list, focus);
 
     GtkWidget *scrolled = gtk_scrolled_window_new();
     gtk_scrolled_window_set_policy(GTK_SCROLLED_WINDOW(scrolled), GTK_POLICY_NEVER, GTK_POLICY_AUTOMATIC);
@@ -265,6 +278,7 @@ static void tinker_outline_init(TinkerOutline *outline)
     gtk_orientable_set_orientation(GTK_ORIENTABLE(layout), GTK_ORIENTATION_VERTICAL);
     outline->rows = g_hash_table_new(NULL, NULL);
     outline->wanted = g_strdup("");
+    outline->reached = tinker_pointed_block(TINKER_NO_BLOCK);
     gtk_widget_set_parent(make_header(outline), GTK_WIDGET(outline));
     gtk_widget_set_parent(make_search(outline), GTK_WIDGET(outline));
     gtk_widget_set_parent(make_list(outline), GTK_WIDGET(outline));

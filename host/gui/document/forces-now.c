@@ -1,10 +1,11 @@
-/* The forces at a time are those at the start of a scene that goes on from there, so nothing of the run has to be kept
- * for them. */
+/* The forces at a time are those of a scene that goes on from the sample before it, so nothing of the run has to be
+ * kept for them. */
 #include "gui/document/forces-now.h"
 
 #include "physics/run/acting-forces.h"
 
-#define PATIENCE 5 /* parts of the time that working them out took: so long are they shown */
+#define PATIENCE 5    /* parts of the time that working them out took: so long are they shown */
+#define LONGEST  0.03 /* s: of the way from the sample before; behind it those of the sample are shown */
 #define DATA     "tinker-forces-now"
 
 typedef struct {
@@ -32,6 +33,13 @@ static ForcesNow *forces_of(TinkerPlayer *player)
     return forces;
 }
 
+/* Those so long behind the start of a scene, or where that takes too long or fails, at its start. */
+static gboolean list(TinkerScene *scene, double behind, GArray *acting)
+{
+    return (behind > 0 && tinker_acting_forces_after(scene, behind, LONGEST, acting, NULL)) ||
+           tinker_acting_forces_at_start(scene, acting, NULL);
+}
+
 const GArray *tinker_forces_now(TinkerDocument *document, TinkerPlayer *player)
 {
     ForcesNow *forces = forces_of(player);
@@ -42,9 +50,9 @@ const GArray *tinker_forces_now(TinkerDocument *document, TinkerPlayer *player)
     gint64 began = g_get_monotonic_time();
     gboolean playing = tinker_player_state(player) == TINKER_PLAYER_PLAYING;
     if (same_scene && playing && began < forces->stale_at) return forces->acting;
-    g_autoptr(TinkerScene) scene = tinker_player_scene_now(player);
-    if (scene == NULL || !tinker_acting_forces_at_start(scene, forces->acting, NULL))
-        g_array_set_size(forces->acting, 0);
+    double behind = 0;
+    g_autoptr(TinkerScene) scene = tinker_player_scene_now(player, &behind);
+    if (scene == NULL || !list(scene, behind, forces->acting)) g_array_set_size(forces->acting, 0);
     forces->known = TRUE;
     forces->revision = revision;
     forces->time = time;

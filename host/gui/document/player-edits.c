@@ -62,12 +62,14 @@ TinkerScene *tinker_player_scene_shown(TinkerPlayer *player, double *start)
     return tinker_scene_copy(own ? segment->scene : tinker_document_scene(player->document));
 }
 
-TinkerScene *tinker_player_scene_now(TinkerPlayer *player)
+TinkerScene *tinker_player_scene_now(TinkerPlayer *player, double *behind)
 {
+    *behind = 0;
     if (player->recording.segments->len == 0 || player->time == 0)
         return tinker_scene_copy(tinker_document_scene(player->document));
     double time = player->time;
     TinkerScene *scene = continued_scene(player);
+    *behind = fmax(time - player->time, 0);
     player->time = time;
     player_update_frame(player);
     return scene;

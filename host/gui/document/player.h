@@ -90,9 +90,9 @@ TinkerFrame *tinker_player_frame(TinkerPlayer *player);
 /* Puts another frame of the scene where the record has it at a time. FALSE where that is not recorded. */
 gboolean tinker_player_place(TinkerPlayer *player, TinkerFrame *frame, double time);
 
-/* A scene whose start is what is shown now (or the sample before it); NULL where it cannot go on from there. (transfer
- * full) */
-TinkerScene *tinker_player_scene_now(TinkerPlayer *player);
+/* A scene whose start is the sample that is shown now, or the one before, `behind` (s) ago; NULL where it cannot go on
+ * from there. (transfer full) */
+TinkerScene *tinker_player_scene_now(TinkerPlayer *player, double *behind);
 
 /* A copy of the scene whose run shows this moment, and when (s) that run starts: another one, and later than 0, where
  * something was changed on the way. (transfer full) */

@@ -92,31 +92,12 @@ static gboolean on_tooltip(GtkWidget *area, int x, int y, gboolean by_key, GtkTo
     return spot != NULL;
 }
 
-/* Keys go through what the picture is of, each once, in the order in which it was drawn. (transfer full) */
-static GPtrArray *choices_of(const Source *source)
-{
-    GPtrArray *choices = g_ptr_array_new();
-    for (guint i = 0; i < source->spots->len; i++) {
-        TinkerSpot *spot = &g_array_index(source->spots, TinkerSpot, i);
-        gboolean is_new = TRUE;
-        for (guint k = 0; k < choices->len && is_new; k++)
-            is_new = !tinker_pointed_same(&((TinkerSpot *)g_ptr_array_index(choices, k))->what, &spot->what);
-        if (is_new) g_ptr_array_add(choices, spot);
-    }
-    return choices;
-}
-
 /* Chooses the one that is so many behind the last one, the first where there was none, and tells it. */
 static void choose(GtkWidget *area, int step)
 {
     Source *source = source_of(area);
-    g_autoptr(GPtrArray) choices = choices_of(source);
-    int number = -1;
-    if (choices->len == 0) return;
-    for (guint i = 0; i < choices->len; i++)
-        if (tinker_pointed_same(&((TinkerSpot *)g_ptr_array_index(choices, i))->what, &source->chosen)) number = (int)i;
-    number = number < 0 ? 0 : CLAMP(number + step, 0, (int)choices->len - 1);
-    const TinkerSpot *spot = g_ptr_array_index(choices, number);
+    const TinkerSpot *spot = tinker_spots_next(source->spots, &source->chosen, step);
+    if (spot == NULL) return;
     source->chosen = spot->what;
     gtk_accessible_update_property(GTK_ACCESSIBLE(area), GTK_ACCESSIBLE_PROPERTY_DESCRIPTION, spot->text, -1);
     tinker_document_point(source->document, spot->what);

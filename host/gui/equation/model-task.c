@@ -85,7 +85,7 @@ static void find_forms(TinkerModelResult *result, const TinkerRunOptions *option
     g_autoptr(TinkerModel) model = tinker_model_new(result->scene, NULL);
     g_autoptr(GPtrArray) islands = model != NULL ? tinker_islands_for(model, FALSE, NULL) : NULL;
     g_autoptr(TinkerPlan) plan = islands != NULL ? tinker_plan_new(model, islands, options, NULL) : NULL;
-    if (plan != NULL) result->matrix = tinker_matrix_form_new(result->equations, plan);
+    if (plan != NULL) result->matrix = tinker_matrix_form_new(result->equations, plan, FALSE);
     result->angles = tinker_angle_form_new(result->equations);
 }
 

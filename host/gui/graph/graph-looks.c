@@ -20,6 +20,8 @@ typedef enum {
     PREVIOUS_EXTREMUM,
     PUT_CURSOR,
     CLEAR_CURSORS,
+    NEXT_CURVE,
+    PREVIOUS_CURVE,
 } Look;
 
 static void look(TinkerGraphPlot *plot, Look how)
@@ -58,6 +60,10 @@ static void look(TinkerGraphPlot *plot, Look how)
     case CLEAR_CURSORS:
         tinker_graph_plot_clear_cursors(plot);
         break;
+    case NEXT_CURVE:
+    case PREVIOUS_CURVE:
+        tinker_graph_plot_choose_curve(plot, how == NEXT_CURVE ? 1 : -1);
+        break;
     }
 }
 
@@ -82,6 +88,8 @@ static const struct {
     {"previous-extremum", PREVIOUS_EXTREMUM, GDK_KEY_p, 0, 0},
     {"put-cursor", PUT_CURSOR, GDK_KEY_c, 0, 0},
     {"clear-cursors", CLEAR_CURSORS, GDK_KEY_C, 0, GDK_SHIFT_MASK},
+    {"next-curve", NEXT_CURVE, GDK_KEY_Page_Down, GDK_KEY_KP_Page_Down, 0},
+    {"previous-curve", PREVIOUS_CURVE, GDK_KEY_Page_Up, GDK_KEY_KP_Page_Up, 0},
 };
 
 static void on_look(GSimpleAction *action, GVariant *parameter, gpointer plot)

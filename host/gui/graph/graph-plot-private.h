@@ -37,6 +37,7 @@ struct _TinkerGraphPlot {
 
     TinkerCurve *curves; /* of the picture, where some are faded */
     TinkerBlockId lit;   /* what is pointed at, where it has a curve; else TINKER_NO_BLOCK */
+    int chosen;          /* the curve that keys have come to; -1: none */
 
     TinkerGraphReading cursors[2];
     int cursor_count;

@@ -35,11 +35,16 @@ void tinker_graph_plot_go_to_next(TinkerGraphPlot *plot, gboolean forward);
  * full; NULL: there is none). */
 void tinker_graph_plot_put_cursor(TinkerGraphPlot *plot);
 void tinker_graph_plot_clear_cursors(TinkerGraphPlot *plot);
+/* Keys go from curve to curve: what it is of is pointed at until none is chosen any more. */
+void tinker_graph_plot_choose_curve(TinkerGraphPlot *plot, int step);
+void tinker_graph_plot_choose_no_curve(TinkerGraphPlot *plot);
 /* The part of the time between both cursors. FALSE where there are not two, at two times. */
 gboolean tinker_graph_plot_between_cursors(TinkerGraphPlot *plot, TinkerGraphPart *part);
 /* "shows 0.5 to 1.2 s" where the time that is seen is not all (transfer full; NULL). */
 char *tinker_graph_plot_zoom_text(TinkerGraphPlot *plot);
 char *tinker_graph_plot_cursor_text(TinkerGraphPlot *plot);
+/* The name of the curve that keys have come to; NULL: none. (transfer full) */
+char *tinker_graph_plot_chosen_text(TinkerGraphPlot *plot);
 
 /* Whether a plot that is to be seen, this widget or one below it, has more of the record to read. */
 gboolean tinker_graph_plot_any_behind(GtkWidget *root);

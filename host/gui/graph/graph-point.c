@@ -53,6 +53,33 @@ void tinker_graph_plot_point_away(TinkerGraphPlot *plot)
     tinker_document_point(tinker_graph_data_document(plot->data), tinker_pointed_block(TINKER_NO_BLOCK));
 }
 
+static TinkerPointed chosen_block(TinkerGraphPlot *plot)
+{
+    const gboolean is_curve = plot->chosen >= 0 && plot->chosen < (int)tinker_graph_data_curves(plot->data);
+    return tinker_pointed_block(is_curve ? tinker_graph_plot_block(plot, (guint)plot->chosen) : TINKER_NO_BLOCK);
+}
+
+void tinker_graph_plot_choose_curve(TinkerGraphPlot *plot, int step)
+{
+    const int count = (int)tinker_graph_data_curves(plot->data);
+    if (count == 0) return;
+    plot->chosen = plot->chosen < 0 ? 0 : CLAMP(plot->chosen + step, 0, count - 1);
+    tinker_document_point(tinker_graph_data_document(plot->data), chosen_block(plot));
+    g_signal_emit_by_name(plot, "looks-changed");
+}
+
+void tinker_graph_plot_choose_no_curve(TinkerGraphPlot *plot)
+{
+    tinker_document_point_away(tinker_graph_data_document(plot->data), chosen_block(plot));
+    plot->chosen = -1;
+}
+
+char *tinker_graph_plot_chosen_text(TinkerGraphPlot *plot)
+{
+    if (plot->chosen < 0 || plot->chosen >= (int)tinker_graph_data_curves(plot->data)) return NULL;
+    return g_strdup(tinker_graph_data_name(plot->data, (guint)plot->chosen));
+}
+
 /* Drawn anew only where that changes something. */
 static void on_pointed(TinkerGraphPlot *plot)
 {
@@ -68,6 +95,7 @@ static void on_pointed(TinkerGraphPlot *plot)
 void tinker_graph_plot_follow_pointing(TinkerGraphPlot *plot)
 {
     plot->lit = TINKER_NO_BLOCK;
+    plot->chosen = -1;
     g_signal_connect_object(tinker_graph_data_document(plot->data), "pointed-changed", G_CALLBACK(on_pointed), plot,
                             G_CONNECT_SWAPPED);
 }

@@ -79,7 +79,8 @@ static void tell_value(TinkerGraphView *view)
     g_autofree char *text = tinker_graph_data_present_text(data);
     g_autofree char *zoom = tinker_graph_plot_zoom_text(TINKER_GRAPH_PLOT(view->plot));
     g_autofree char *cursors = tinker_graph_plot_cursor_text(TINKER_GRAPH_PLOT(view->plot));
-    const char *const more[] = {zoom, cursors};
+    g_autofree char *chosen = tinker_graph_plot_chosen_text(TINKER_GRAPH_PLOT(view->plot));
+    const char *const more[] = {zoom, cursors, chosen};
     for (gsize i = 0; text != NULL && i < G_N_ELEMENTS(more); i++) {
         g_autofree char *before = text;
         text = more[i] != NULL ? g_strdup_printf("%s; %s", before, more[i]) : g_steal_pointer(&before);
@@ -118,6 +119,7 @@ static void on_focus(GtkEventControllerFocus *focus, TinkerGraphView *view)
 static void on_focus_leave(GtkEventControllerFocus *focus, TinkerGraphView *view)
 {
     tinker_document_point_away(view->document, block_of_all(view));
+    if (view->plot != NULL) tinker_graph_plot_choose_no_curve(TINKER_GRAPH_PLOT(view->plot));
 }
 
 /* Lights up where a curve is of the block that is pointed at. */

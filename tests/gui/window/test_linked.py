@@ -176,5 +176,54 @@ def test_curve_lights_its_block(display):
             scan(app, watched, box, {name})
 
 
+def told(app, name):
+    return (app.find(None, name).refreshed().description or "").split("; ")
+
+
+def test_keys_on_the_canvas_light_terms(display):
+    """Tab points at the block that it selects; Page Down goes from arrow to arrow, which it tells; both end with the
+    focus on the canvas."""
+    with App(display, sliding()) as app:
+        app.activate("show-forces")
+        watched = watch_terms(app)
+        app.click_block("Bob")
+        app.xdotool("mousemove", *app.at(*NOWHERE))
+        app.press("Escape")
+        watched.wait_lit()
+        names = {"Gravity": "weight", "Floor (Normal force)": "normal", "Floor (Friction)": "friction"}
+        heard = set()
+        for _ in names:
+            app.press("Next")
+            wait(lambda: re.sub(r" [\d.]+ N$", "", told(app, "Canvas")[0]) in names.keys() - heard, "another arrow to be told")
+            heard.add(re.sub(r" [\d.]+ N$", "", told(app, "Canvas")[0]))
+            watched.wait_lit(names[re.sub(r" [\d.]+ N$", "", told(app, "Canvas")[0])])
+        app.press("Escape")
+        watched.wait_lit()
+        check(told(app, "Canvas")[0].startswith("Shows "), "no arrow is told any more")
+        for name, lit in (("Gravity", ["weight"]), ("Floor", ["normal", "friction"])):
+            app.press("Tab")
+            wait(lambda: any(words.startswith(name) for words in told(app, "Canvas")), f"{name} to be selected")
+            watched.wait_lit(*lit)
+
+
+def test_keys_in_a_graph_light_the_block_of_a_curve(display):
+    graph = {"curves": [{"block": name, "quantity": "x"} for name in ("Bob", "Tom")]}
+    content = scene(mass("Bob", 0, 1), mass("Tom", 3, 1), spring("Spring", "Bob", "Tom", stiffness=5, rest_length=3),
+                    duration=1, graphs=[graph])
+    with App(display, content) as app:
+        app.activate("play")
+        wait(lambda: app.time() == 1 and not app.is_playing(), "the end")
+        app.show_width()
+        app.click("Equations", role="tab")
+        watched = Watched(app, **{name: part_of(app, re.compile(f"^{name}: m.* x.* equals$")) for name in ("Bob", "Tom")})
+        box = app.box(app.find(None, re.compile("^Graph of ")))
+        app._click_at(box[0] + 30, box[1] + 8)
+        app.xdotool("mousemove", *app.at(*NOWHERE))
+        for key, name in (("Next", "Bob"), ("Next", "Tom"), ("Prior", "Bob")):
+            app.press(key)
+            watched.wait_lit(name)
+            check(any(name in part for part in told(app, re.compile("^Graph of "))), "the curve is told")
+
+
 if __name__ == "__main__":
     main()
