@@ -98,16 +98,40 @@ static gboolean find_kink(const TinkerCurveSamples *samples, gsize i, gsize left
     return *time > samples->times[i] && *time < samples->times[i + 1];
 }
 
-/* Straight from sample to sample, where neither side tells how the curve goes on, or both sides as far as they meet. */
-static guint rough_pieces(const TinkerCurveSamples *samples, gsize i, TinkerCurvePiece pieces[2])
+/* Whether both sides tell how the curve goes on, as far as they meet. */
+static gboolean find_sides(const TinkerCurveSamples *samples, gsize i, gsize *left, gsize *right, double *kink)
+{
+    *left = i + 1 - POINTS;
+    *right = i + 1;
+    return i + 1 >= POINTS && *right + POINTS <= samples->count && !is_rough(samples, *left) &&
+           !is_rough(samples, *right) && find_kink(samples, i, *left, *right, kink);
+}
+
+/* The five samples that tell the slopes at both ends; FALSE where they would swing beyond the samples. */
+static gboolean find_smooth(const TinkerCurveSamples *samples, gsize i, gsize *first, gsize *second)
+{
+    *first = first_of(samples, i, 2);
+    *second = first_of(samples, i + 1, 2);
+    if (!is_rough(samples, *first) && !is_rough(samples, *second)) return TRUE;
+    for (gsize back = 0; back <= 3; back++) {
+        const gsize tried = first_of(samples, i, back);
+        if (fourth_difference(samples, tried) < fourth_difference(samples, *first)) *first = tried;
+    }
+    *second = *first;
+    return !is_rough(samples, *first);
+}
+
+guint tinker_curve_pieces(const TinkerCurveSamples *samples, gsize i, TinkerCurvePiece pieces[2])
 {
     const double start = samples->times[i], end = samples->times[i + 1], y0 = samples->values[i],
                  y1 = samples->values[i + 1], chord = (y1 - y0) / (end - start);
-    const gsize left = i + 1 - POINTS, right = i + 1;
+    gsize left, right;
     double kink;
-    const gboolean knows =
-        i + 1 >= POINTS && right + POINTS <= samples->count && !is_rough(samples, left) && !is_rough(samples, right);
-    if (!knows || !find_kink(samples, i, left, right, &kink)) {
+    if (find_smooth(samples, i, &left, &right)) {
+        pieces[0] = piece_of(start, end, y0, y1, slope_at(samples, left, start), slope_at(samples, right, end));
+        return 1;
+    }
+    if (!find_sides(samples, i, &left, &right, &kink)) {
         pieces[0] = piece_of(start, end, y0, y1, chord, chord);
         return 1;
     }
@@ -117,21 +141,12 @@ static guint rough_pieces(const TinkerCurveSamples *samples, gsize i, TinkerCurv
     return 2;
 }
 
-guint tinker_curve_pieces(const TinkerCurveSamples *samples, gsize i, TinkerCurvePiece pieces[2])
+double tinker_curve_roughness(const TinkerCurveSamples *samples, gsize i)
 {
-    gsize first = first_of(samples, i, 2), second = first_of(samples, i + 1, 2);
-    if (is_rough(samples, first) || is_rough(samples, second)) {
-        for (gsize back = 0; back <= 3; back++) {
-            const gsize tried = first_of(samples, i, back);
-            if (fourth_difference(samples, tried) < fourth_difference(samples, first)) first = tried;
-        }
-        second = first;
-        if (is_rough(samples, first)) return rough_pieces(samples, i, pieces);
-    }
-    const double start = samples->times[i], end = samples->times[i + 1];
-    pieces[0] = piece_of(start, end, samples->values[i], samples->values[i + 1], slope_at(samples, first, start),
-                         slope_at(samples, second, end));
-    return 1;
+    gsize left, right;
+    double kink;
+    if (!find_smooth(samples, i, &left, &right) && !find_sides(samples, i, &left, &right, &kink)) return INFINITY;
+    return fmax(fourth_difference(samples, left), fourth_difference(samples, right));
 }
 
 double tinker_curve_piece_value(const TinkerCurvePiece *piece, double s)

@@ -31,6 +31,8 @@ static const char *why_none(TinkerSwings swings)
         return _("it does not swing to and fro often enough");
     case TINKER_SWINGS_UNEVEN:
         return _("its swings do not take equally long");
+    case TINKER_SWINGS_UNLIKE:
+        return _("its swings become larger and smaller in turn, and do not come again");
     case TINKER_SWINGS_OFF_SHARE:
         return _("its swings do not shrink by the same share each time");
     case TINKER_SWINGS_COARSE:
