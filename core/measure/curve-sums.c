@@ -94,14 +94,16 @@ static void add_part(Walk *walk, const TinkerCurvePiece *piece, double from, dou
     walk->slope = tinker_curve_piece_end_slope(piece);
 }
 
-/* Extrema that are no ripple: a way back that is too small takes both its ends away. */
+/* Extrema that are no ripple: a way back that is too small, or less than what is open between samples, takes both its
+ * ends away. */
 static void drop_ripple(TinkerCurveSums *sums)
 {
     const double least = RIPPLE * (sums->greatest - sums->least);
     TinkerExtremum *all = (TinkerExtremum *)(gpointer)sums->extrema->data;
     guint kept = 0;
     for (guint i = 0; i < sums->extrema->len; i++) {
-        if (kept >= 1 && fabs(all[i].value - all[kept - 1].value) <= least)
+        const double open = kept >= 1 ? fmin(all[i].off_value, all[kept - 1].off_value) : 0;
+        if (kept >= 1 && fabs(all[i].value - all[kept - 1].value) <= fmax(least, open))
             kept--;
         else
             all[kept++] = all[i];
@@ -144,7 +146,7 @@ TinkerCurveSums tinker_curve_sums(const TinkerCurveSamples *samples, const doubl
         TinkerCurvePiece pieces[2];
         const guint count = tinker_curve_pieces(samples, i, pieces);
         walk.width = fmax(end - start, i > 0 ? start - samples->times[i - 1] : 0);
-        walk.off = off != NULL ? off[i] : 0;
+        walk.off = off[i];
         walk.is_open = tinker_is_between_events(samples, i) && !(i > 0 && samples->times[i - 1] == start);
         for (guint k = 0; k < count; k++)
             add_part(&walk, &pieces[k], from, to);

@@ -24,7 +24,7 @@ typedef struct {
     GArray *extrema;        /* of TinkerExtremum, without ripple */
 } TinkerCurveSums;
 
-/* From one time to another. `off` (borrowed, may be NULL: 0): how far the curve may be off between each sample and the
+/* From one time to another. `off` (borrowed): how far the curve may be off between each sample and the
  * next, as tinker_between_samples tells. Swings at both ends that are hardly larger than `band` are left out of the
  * extrema. tinker_curve_sums_clear frees them. */
 TinkerCurveSums tinker_curve_sums(const TinkerCurveSamples *samples, const double *off, double from, double to,

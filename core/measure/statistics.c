@@ -46,19 +46,28 @@ static void add_between_events(const TinkerCurveSamples *samples, double from, d
     found->amplitude.error += 0.5 * (above + below);
 }
 
-/* What the samples tell only as they are, and every second of them would not, has no error that is known. */
-static void forget_untold(TinkerStatistics *found)
+/* Of a period: where every second sample tells none, its error may be no more than that. */
+#define FEW 0.02
+
+/* What every second sample tells, too. A period or a damping that it does not tell is told by samples that are too few,
+ * unless what they leave open is little. */
+static void add_differences(TinkerStatistics *found, const TinkerStatistics *rough)
 {
     const TinkerStatistic none = {NAN, NAN};
-    if (found->no_period == TINKER_SWINGS_GOOD && !isfinite(found->period.error)) {
-        found->period = none;
-        found->no_period = TINKER_SWINGS_COARSE;
-    }
-    if (found->no_damping == TINKER_SWINGS_GOOD && isfinite(found->decrement.value) &&
-        !isfinite(found->decrement.error)) {
-        found->decrement = found->damping = none;
-        found->no_damping = TINKER_SWINGS_COARSE;
-    }
+    TinkerStatistic *all[] = {&found->mean,      &found->rms,    &found->least,     &found->greatest,
+                              &found->amplitude, &found->period, &found->decrement, &found->damping};
+    const TinkerStatistic *others[] = {&rough->mean,      &rough->rms,    &rough->least,     &rough->greatest,
+                                       &rough->amplitude, &rough->period, &rough->decrement, &rough->damping};
+    for (gsize i = 0; i < G_N_ELEMENTS(all); i++)
+        if (isfinite(others[i]->value)) all[i]->error += fabs(all[i]->value - others[i]->value);
+    const gboolean is_untold = !isfinite(rough->period.value) || !isfinite(rough->decrement.value);
+    if (found->no_period != TINKER_SWINGS_GOOD || !is_untold || found->period.error <= FEW * found->period.value)
+        return;
+    if (found->no_damping == TINKER_SWINGS_GOOD) found->no_damping = TINKER_SWINGS_COARSE;
+    found->decrement = found->damping = none;
+    if (isfinite(rough->period.value)) return;
+    found->period = none;
+    found->no_period = TINKER_SWINGS_COARSE;
 }
 
 gboolean tinker_statistics(const double *times, const double *values, gsize count, double from, double to, double band,
@@ -67,17 +76,10 @@ gboolean tinker_statistics(const double *times, const double *values, gsize coun
     if (count / 2 + 1 < TINKER_CURVE_LEAST || !(to > from)) return FALSE;
     g_autofree double *room = NULL;
     const TinkerCurveSamples fine = {times, values, count}, coarse = tinker_every_second(&fine, FALSE, &room);
-    g_autofree double *off = tinker_between_samples(&fine);
+    g_autofree double *off = tinker_between_samples(&fine), *rough_off = tinker_between_samples(&coarse);
     *statistics = measure(&fine, off, from, to, band);
-    const TinkerStatistics rough = measure(&coarse, NULL, from, to, band);
-    TinkerStatistic *all[] = {&statistics->mean,      &statistics->rms,       &statistics->least,
-                              &statistics->greatest,  &statistics->amplitude, &statistics->period,
-                              &statistics->decrement, &statistics->damping};
-    const TinkerStatistic *others[] = {&rough.mean,      &rough.rms,    &rough.least,     &rough.greatest,
-                                       &rough.amplitude, &rough.period, &rough.decrement, &rough.damping};
-    for (gsize i = 0; i < G_N_ELEMENTS(all); i++)
-        all[i]->error += fabs(all[i]->value - others[i]->value);
+    const TinkerStatistics rough = measure(&coarse, rough_off, from, to, band);
+    add_differences(statistics, &rough);
     add_between_events(&fine, from, to, statistics);
-    forget_untold(statistics);
     return TRUE;
 }
