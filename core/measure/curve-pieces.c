@@ -11,52 +11,52 @@
 #include "measure/curve-pieces.h"
 
 #include <math.h>
+#include <string.h>
 
 #define POINTS     TINKER_CURVE_LEAST
 #define ROUGH      0.02 /* fourth difference, of what five samples go through: 14 samples of a swing have less */
 #define BISECTIONS 60
 
-static double value_at(const TinkerCurveSamples *samples, gsize first, double time)
+/* Newton's divided differences of the five samples from the first on: their polynomial is c0 + (t - t0) (c1 + (t - t1)
+ * (c2 + ...)). Not finite where two are at one time. */
+static void divide(const TinkerCurveSamples *samples, gsize first, double c[POINTS])
 {
-    const double *times = samples->times + first, *values = samples->values + first;
-    double sum = 0;
-    for (gsize j = 0; j < POINTS; j++) {
-        double share = values[j];
-        for (gsize k = 0; k < POINTS; k++)
-            if (k != j) share *= (time - times[k]) / (times[j] - times[k]);
-        sum += share;
+    const double *times = samples->times + first;
+    memcpy(c, samples->values + first, POINTS * sizeof(double));
+    for (gsize order = 1; order < POINTS; order++)
+        for (gsize k = POINTS - 1; k >= order; k--)
+            c[k] = (c[k] - c[k - 1]) / (times[k] - times[k - order]);
+}
+
+/* The polynomial and, where asked for, its slope. */
+static double value_at(const TinkerCurveSamples *samples, gsize first, double time, double *slope)
+{
+    const double *times = samples->times + first;
+    double c[POINTS], value, rise = 0;
+    divide(samples, first, c);
+    value = c[POINTS - 1];
+    for (gsize k = POINTS - 1; k-- > 0;) {
+        rise = rise * (time - times[k]) + value;
+        value = value * (time - times[k]) + c[k];
     }
-    return sum;
+    if (slope != NULL) *slope = rise;
+    return value;
 }
 
 static double slope_at(const TinkerCurveSamples *samples, gsize first, double time)
 {
-    const double *times = samples->times + first, *values = samples->values + first;
-    double sum = 0;
-    for (gsize j = 0; j < POINTS; j++) {
-        for (gsize m = 0; m < POINTS; m++) {
-            if (m == j) continue;
-            double share = 1 / (times[j] - times[m]);
-            for (gsize k = 0; k < POINTS; k++)
-                if (k != j && k != m) share *= (time - times[k]) / (times[j] - times[k]);
-            sum += share * (values[j] - values[0]);
-        }
-    }
-    return sum;
+    double slope;
+    value_at(samples, first, time, &slope);
+    return slope;
 }
 
 /* The fourth difference of five samples: 0 of a cubic, whatever their distances; infinite where two are at one time. */
 static double fourth_difference(const TinkerCurveSamples *samples, gsize first)
 {
-    const double *times = samples->times + first, *values = samples->values + first;
-    double sum = 0;
-    for (gsize j = 0; j < POINTS; j++) {
-        double share = values[j];
-        for (gsize k = 0; k < POINTS; k++)
-            if (k != j) share /= times[j] - times[k];
-        sum += share;
-    }
-    const double size = fabs(24 * sum * pow((times[POINTS - 1] - times[0]) / (POINTS - 1), 4));
+    const double *times = samples->times + first, step = (times[POINTS - 1] - times[0]) / (POINTS - 1);
+    double c[POINTS];
+    divide(samples, first, c);
+    const double size = fabs(24 * c[POINTS - 1] * step * step * step * step);
     return isfinite(size) ? size : INFINITY;
 }
 
@@ -86,11 +86,11 @@ static TinkerCurvePiece piece_of(double start, double end, double y0, double y1,
 static gboolean find_kink(const TinkerCurveSamples *samples, gsize i, gsize left, gsize right, double *time)
 {
     double low = samples->times[i], high = samples->times[i + 1];
-    const double first = value_at(samples, left, low) - value_at(samples, right, low);
-    if (!(first * (value_at(samples, left, high) - value_at(samples, right, high)) < 0)) return FALSE;
+    const double first = value_at(samples, left, low, NULL) - value_at(samples, right, low, NULL);
+    if (!(first * (value_at(samples, left, high, NULL) - value_at(samples, right, high, NULL)) < 0)) return FALSE;
     for (int k = 0; k < BISECTIONS; k++) {
         *time = 0.5 * (low + high);
-        if ((value_at(samples, left, *time) - value_at(samples, right, *time)) * first > 0)
+        if ((value_at(samples, left, *time, NULL) - value_at(samples, right, *time, NULL)) * first > 0)
             low = *time;
         else
             high = *time;
@@ -135,7 +135,7 @@ guint tinker_curve_pieces(const TinkerCurveSamples *samples, gsize i, TinkerCurv
         pieces[0] = piece_of(start, end, y0, y1, chord, chord);
         return 1;
     }
-    const double y = value_at(samples, left, kink);
+    const double y = value_at(samples, left, kink, NULL);
     pieces[0] = piece_of(start, kink, y0, y, slope_at(samples, left, start), slope_at(samples, left, kink));
     pieces[1] = piece_of(kink, end, y, y1, slope_at(samples, right, kink), slope_at(samples, right, end));
     return 2;

@@ -83,3 +83,19 @@ gboolean tinker_statistics(const double *times, const double *values, gsize coun
     add_between_events(&fine, from, to, statistics);
     return TRUE;
 }
+
+double tinker_greatest_about(const double *times, const double *values, gsize count, double from, double to)
+{
+    double greatest = -INFINITY;
+    for (gsize i = 0; i < count; i++) {
+        if (times[i] < from || times[i] > to) continue;
+        if (isnan(values[i])) return NAN;
+        greatest = fmax(greatest, values[i]);
+    }
+    TinkerStatistics found;
+    if (count == 0 ||
+        !tinker_statistics(times, values, count, fmax(from, times[0]), fmin(to, times[count - 1]), 0, &found))
+        return greatest;
+    const double above = found.greatest.value + found.greatest.error;
+    return isfinite(above) ? fmax(greatest, above) : NAN;
+}

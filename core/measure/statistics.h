@@ -43,4 +43,8 @@ typedef struct {
 gboolean tinker_statistics(const double *times, const double *values, gsize count, double from, double to, double band,
                            TinkerStatistics *statistics);
 
+/* The greatest that a curve may be from one time to another, samples at both of which are about: with what it may be
+ * off by between samples. Of fewer samples than statistics take it is the greatest of them; NAN where one is NAN. */
+double tinker_greatest_about(const double *times, const double *values, gsize count, double from, double to);
+
 #endif

@@ -272,6 +272,28 @@ static void test_dry_friction(void)
     g_assert_cmpint(s.no_damping, ==, TINKER_SWINGS_OFF_SHARE);
 }
 
+/* As the error of a formula that divides by what nearly vanishes half way between two samples. */
+static double peak(double t)
+{
+    return 1 / (0.01 + (t - 0.525) * (t - 0.525));
+}
+
+static void test_greatest_about(void)
+{
+    fill(21, 1, peak);
+    double about = tinker_greatest_about(times, values, 21, 0, 1);
+    g_assert_cmpfloat(values[10], <, 95);
+    g_assert_cmpfloat(about, >=, 100);
+    g_assert_cmpfloat(about, <, 150);
+    g_assert_cmpfloat(tinker_greatest_about(times, values, 21, 0, 0.2), <, 12);
+    fill(2001, 1, peak);
+    about = tinker_greatest_about(times, values, 2001, 0, 1);
+    g_assert_cmpfloat(about, >=, 100);
+    g_assert_cmpfloat(about, <, 100.01);
+    values[700] = NAN;
+    g_assert_true(isnan(tinker_greatest_about(times, values, 2001, 0, 1)));
+}
+
 int main(int argc, char **argv)
 {
     g_test_init(&argc, &argv, NULL);
@@ -286,5 +308,6 @@ int main(int argc, char **argv)
     g_test_add_func("/measure/statistics/uneven", test_uneven);
     g_test_add_func("/measure/statistics/comes-to-rest", test_comes_to_rest);
     g_test_add_func("/measure/statistics/dry-friction", test_dry_friction);
+    g_test_add_func("/measure/statistics/greatest-about", test_greatest_about);
     return g_test_run();
 }
