@@ -179,16 +179,17 @@ static void test_crowd(void)
         const TinkerPlot plot = {
             .curves = &curve, .curve_count = 1, .x_label = "X", .y_label = "Y", .quick = quick != 0};
         g_autoptr(TestPicture) picture = test_plot_draw(&plot);
+        double corners[2][2]; /* of x = 0 and y = 0, of x = 1 and y = 1 */
+        for (int k = 0; k < 2; k++)
+            test_plot_place(&plot, k, k, &corners[k][0], &corners[k][1]);
         for (double at = 0.02; at < 0.98; at += 0.0031) {
-            double middle[2], top[2], bottom[2];
-            const double amplitude = 0.3 + 0.7 * at;
-            test_plot_place(&plot, at, 0, &middle[0], &middle[1]);
-            test_plot_place(&plot, at, amplitude, &top[0], &top[1]);
-            test_plot_place(&plot, at, -amplitude, &bottom[0], &bottom[1]);
-            for (double y_in = top[1] + 2; y_in < bottom[1] - 2; y_in++)
-                g_assert_true(test_picture_shows(picture, middle[0], y_in, 0, test_plot_colour(0)));
-            g_assert_false(test_picture_shows(picture, middle[0], top[1] - 4, 0, test_plot_colour(0)));
-            g_assert_false(test_picture_shows(picture, middle[0], bottom[1] + 4, 0, test_plot_colour(0)));
+            const double amplitude = (0.3 + 0.7 * at) * (corners[0][1] - corners[1][1]);
+            const double across = corners[0][0] + at * (corners[1][0] - corners[0][0]);
+            const double top = corners[0][1] - amplitude, bottom = corners[0][1] + amplitude;
+            for (double down = top + 2; down < bottom - 2; down++)
+                g_assert_true(test_picture_shows(picture, across, down, 0, test_plot_colour(0)));
+            g_assert_false(test_picture_shows(picture, across, top - 4, 0, test_plot_colour(0)));
+            g_assert_false(test_picture_shows(picture, across, bottom + 4, 0, test_plot_colour(0)));
         }
     }
 }
