@@ -19,11 +19,18 @@ static const char html_head[] =
     "div.rows { overflow-x: auto; }\ntd { padding: 0.25em 0.4em; vertical-align: middle; }\n"
     "td:first-child { text-align: right; white-space: nowrap; }\n</style>\n</head>\n<body>\n<h1>%s</h1>\n";
 
+#define MINUS "−" /* no letter of text fonts, as digits are */
+
 /* Plain text within LaTeX. (transfer full) */
 static char *latex_text(const char *text)
 {
     GString *safe = g_string_new(NULL);
     for (const char *p = text; *p != '\0'; p++) {
+        if (g_str_has_prefix(p, MINUS)) {
+            g_string_append(safe, "$-$");
+            p += strlen(MINUS) - 1;
+            continue;
+        }
         if (strchr("#$%&_{}", *p) != NULL)
             g_string_append_printf(safe, "\\%c", *p);
         else if (*p == '\\')
