@@ -70,6 +70,15 @@ static void add_differences(TinkerStatistics *found, const TinkerStatistics *rou
     found->no_period = TINKER_SWINGS_COARSE;
 }
 
+/* Where the curve is not defined everywhere it may be anything there. */
+static void forget_all(TinkerStatistics *found)
+{
+    const TinkerStatistic none = {NAN, NAN};
+    found->mean = found->rms = found->least = found->greatest = found->amplitude = none;
+    found->period = found->decrement = found->damping = none;
+    found->no_period = found->no_damping = TINKER_SWINGS_UNDEFINED;
+}
+
 gboolean tinker_statistics(const double *times, const double *values, gsize count, double from, double to, double band,
                            TinkerStatistics *statistics)
 {
@@ -81,6 +90,7 @@ gboolean tinker_statistics(const double *times, const double *values, gsize coun
     const TinkerStatistics rough = measure(&coarse, rough_off, from, to, band);
     add_differences(statistics, &rough);
     add_between_events(&fine, from, to, statistics);
+    if (!isfinite(statistics->mean.value)) forget_all(statistics);
     return TRUE;
 }
 

@@ -6,7 +6,8 @@
 
 #include <glib.h>
 
-/* A number and how far it may be off; NAN where it is not defined. The error is the sum of what the number changes by
+/* A number and how far it may be off; NAN where it is not defined, as all of them where the curve has
+ * a sample that is no number. The error is the sum of what the number changes by
  * where every second sample is left out, of what the curve may be off by between samples, of the scatter of periods and
  * decrements and what their first half differs by from the second, and of what the band about the curve makes of it.
  * Between two events with fewer than five samples between them the curve is taken as straight: what it would be off by
@@ -23,7 +24,8 @@ typedef enum {
     TINKER_SWINGS_UNEVEN,    /* whole swings differ in length by more than a tenth, as of a ball that bounces */
     TINKER_SWINGS_UNLIKE,    /* they become larger and smaller in turn, and do not come again */
     TINKER_SWINGS_OFF_SHARE, /* they do not shrink by the same share each time, as by dry friction or in a beat */
-    TINKER_SWINGS_COARSE     /* every second sample would not have told them */
+    TINKER_SWINGS_COARSE,    /* every second sample would not have told them */
+    TINKER_SWINGS_UNDEFINED  /* the curve is not defined everywhere: nothing is known of it */
 } TinkerSwings;
 
 typedef struct {

@@ -272,6 +272,19 @@ static void test_dry_friction(void)
     g_assert_cmpint(s.no_damping, ==, TINKER_SWINGS_OFF_SHARE);
 }
 
+/* Of what is no number somewhere nothing is known, neither its extrema nor a period. */
+static void test_undefined(void)
+{
+    TinkerStatistics s;
+    fill(1000, 5, wave);
+    values[500] = NAN;
+    g_assert_true(tinker_statistics(times, values, 1000, 0.5, 4.5, 0, &s));
+    g_assert_true(isnan(s.mean.value) && isnan(s.greatest.value) && isnan(s.amplitude.error) && isnan(s.period.value));
+    g_assert_cmpint(s.no_period, ==, TINKER_SWINGS_UNDEFINED);
+    g_assert_true(tinker_statistics(times, values, 1000, 0.5, 2.2, 0, &s));
+    check("amplitude", s.amplitude, 3, 1e-7);
+}
+
 /* As the error of a formula that divides by what nearly vanishes half way between two samples. */
 static double peak(double t)
 {
@@ -308,6 +321,7 @@ int main(int argc, char **argv)
     g_test_add_func("/measure/statistics/uneven", test_uneven);
     g_test_add_func("/measure/statistics/comes-to-rest", test_comes_to_rest);
     g_test_add_func("/measure/statistics/dry-friction", test_dry_friction);
+    g_test_add_func("/measure/statistics/undefined", test_undefined);
     g_test_add_func("/measure/statistics/greatest-about", test_greatest_about);
     return g_test_run();
 }

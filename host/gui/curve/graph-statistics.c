@@ -37,6 +37,8 @@ static const char *why_none(TinkerSwings swings)
         return _("its swings do not shrink by the same share each time");
     case TINKER_SWINGS_COARSE:
         return _("too few samples in a swing");
+    case TINKER_SWINGS_UNDEFINED:
+        return _("it is not defined everywhere");
     default:
         return "";
     }
@@ -103,15 +105,16 @@ static void add_curve(GString *text, const TinkerGraphData *data, guint curve, c
         g_string_append_printf(text, "%s\n\n", _("too few samples"));
         return;
     }
+    const TinkerSwings defined = isfinite(found.mean.value) ? TINKER_SWINGS_GOOD : TINKER_SWINGS_UNDEFINED;
     const struct {
         const char *name, *unit;
         const TinkerStatistic *statistic;
         TinkerSwings swings;
-    } lines[] = {{_("Mean"), unit, &found.mean, TINKER_SWINGS_GOOD},
-                 {_("Root mean square"), unit, &found.rms, TINKER_SWINGS_GOOD},
-                 {_("Least"), unit, &found.least, TINKER_SWINGS_GOOD},
-                 {_("Greatest"), unit, &found.greatest, TINKER_SWINGS_GOOD},
-                 {_("Amplitude"), unit, &found.amplitude, TINKER_SWINGS_GOOD},
+    } lines[] = {{_("Mean"), unit, &found.mean, defined},
+                 {_("Root mean square"), unit, &found.rms, defined},
+                 {_("Least"), unit, &found.least, defined},
+                 {_("Greatest"), unit, &found.greatest, defined},
+                 {_("Amplitude"), unit, &found.amplitude, defined},
                  {_("Period"), "s", &found.period, found.no_period},
                  {_("Logarithmic decrement"), "", &found.decrement, found.no_damping},
                  {_("Damping ratio"), "", &found.damping, found.no_damping}};
