@@ -1,6 +1,6 @@
-/* The curve has both sides of each event at the event's own time. So what is known of it between two events are their
- * values alone where they follow on one another within the interval of samples, as the flights of what bounces to rest
- * do. The straight piece between them is off from a curve that bends by y'' by
+/* The curve has both sides of each event at the event's own time. So between two events that follow on one another
+ * within few intervals of samples, as the flights of what bounces to rest do, there are too few values for a cubic. The
+ * straight piece between them is off from a curve that bends by y'' by
  *
  *     y'' / 2 (t - t0) (t1 - t),
  *
@@ -19,14 +19,14 @@ static gboolean is_at_jump(const TinkerCurveSamples *samples, gsize i)
     return (i > 0 && times[i] == times[i - 1]) || (i + 1 < samples->count && times[i] == times[i + 1]);
 }
 
-TinkerCurveSamples tinker_every_second(const TinkerCurveSamples *samples, double **room)
+TinkerCurveSamples tinker_every_second(const TinkerCurveSamples *samples, gboolean from_second, double **room)
 {
     const gsize count = samples->count;
     double *times = *room = g_new(double, 2 * count + 1), *values = times + count;
-    gsize kept = 0, skipped = 1;
+    gsize kept = 0, skipped = 0;
     for (gsize i = 0; i < count; i++) {
-        const gboolean is_kept = skipped == 1 || i + 1 == count || is_at_jump(samples, i);
-        skipped = is_kept ? 0 : skipped + 1;
+        const gboolean is_kept = i == 0 || skipped == 1 || i + 1 == count || is_at_jump(samples, i);
+        skipped = !is_kept || (i == 0 && from_second) ? 1 : 0;
         if (!is_kept) continue;
         times[kept] = samples->times[i];
         values[kept++] = samples->values[i];
@@ -36,10 +36,14 @@ TinkerCurveSamples tinker_every_second(const TinkerCurveSamples *samples, double
 
 gboolean tinker_is_between_events(const TinkerCurveSamples *samples, gsize i)
 {
-    const gsize last = samples->count - 1;
-    if (i >= last || !(samples->times[i] < samples->times[i + 1])) return FALSE;
-    if (i > 0 && !is_at_jump(samples, i)) return FALSE;
-    return i + 1 == last || is_at_jump(samples, i + 1);
+    const double *times = samples->times;
+    gsize first = i, last = i + 1;
+    if (last >= samples->count || !(times[i] < times[last])) return FALSE;
+    while (first > 0 && times[first - 1] < times[first] && last - first < TINKER_CURVE_LEAST)
+        first--;
+    while (last + 1 < samples->count && times[last] < times[last + 1] && last - first < TINKER_CURVE_LEAST)
+        last++;
+    return last - first + 1 < TINKER_CURVE_LEAST;
 }
 
 void tinker_bends(const TinkerCurveSamples *samples, double bends[2])

@@ -11,52 +11,52 @@
 #include "measure/curve-pieces.h"
 
 #include <math.h>
+#include <string.h>
 
 #define POINTS     TINKER_CURVE_LEAST
 #define ROUGH      0.02 /* fourth difference, of what five samples go through: 14 samples of a swing have less */
 #define BISECTIONS 60
 
-static double value_at(const TinkerCurveSamples *samples, gsize first, double time)
+/* Newton's divided differences of the five samples from the first on: their polynomial is c0 + (t - t0) (c1 + (t - t1)
+ * (c2 + ...)). Not finite where two are at one time. */
+static void divide(const TinkerCurveSamples *samples, gsize first, double c[POINTS])
 {
-    const double *times = samples->times + first, *values = samples->values + first;
-    double sum = 0;
-    for (gsize j = 0; j < POINTS; j++) {
-        double share = values[j];
-        for (gsize k = 0; k < POINTS; k++)
-            if (k != j) share *= (time - times[k]) / (times[j] - times[k]);
-        sum += share;
+    const double *times = samples->times + first;
+    memcpy(c, samples->values + first, POINTS * sizeof(double));
+    for (gsize order = 1; order < POINTS; order++)
+        for (gsize k = POINTS - 1; k >= order; k--)
+            c[k] = (c[k] - c[k - 1]) / (times[k] - times[k - order]);
+}
+
+/* The polynomial and, where asked for, its slope. */
+static double value_at(const TinkerCurveSamples *samples, gsize first, double time, double *slope)
+{
+    const double *times = samples->times + first;
+    double c[POINTS], value, rise = 0;
+    divide(samples, first, c);
+    value = c[POINTS - 1];
+    for (gsize k = POINTS - 1; k-- > 0;) {
+        rise = rise * (time - times[k]) + value;
+        value = value * (time - times[k]) + c[k];
     }
-    return sum;
+    if (slope != NULL) *slope = rise;
+    return value;
 }
 
 static double slope_at(const TinkerCurveSamples *samples, gsize first, double time)
 {
-    const double *times = samples->times + first, *values = samples->values + first;
-    double sum = 0;
-    for (gsize j = 0; j < POINTS; j++) {
-        for (gsize m = 0; m < POINTS; m++) {
-            if (m == j) continue;
-            double share = 1 / (times[j] - times[m]);
-            for (gsize k = 0; k < POINTS; k++)
-                if (k != j && k != m) share *= (time - times[k]) / (times[j] - times[k]);
-            sum += share * (values[j] - values[0]);
-        }
-    }
-    return sum;
+    double slope;
+    value_at(samples, first, time, &slope);
+    return slope;
 }
 
 /* The fourth difference of five samples: 0 of a cubic, whatever their distances; infinite where two are at one time. */
 static double fourth_difference(const TinkerCurveSamples *samples, gsize first)
 {
-    const double *times = samples->times + first, *values = samples->values + first;
-    double sum = 0;
-    for (gsize j = 0; j < POINTS; j++) {
-        double share = values[j];
-        for (gsize k = 0; k < POINTS; k++)
-            if (k != j) share /= times[j] - times[k];
-        sum += share;
-    }
-    const double size = fabs(24 * sum * pow((times[POINTS - 1] - times[0]) / (POINTS - 1), 4));
+    const double *times = samples->times + first, step = (times[POINTS - 1] - times[0]) / (POINTS - 1);
+    double c[POINTS];
+    divide(samples, first, c);
+    const double size = fabs(24 * c[POINTS - 1] * step * step * step * step);
     return isfinite(size) ? size : INFINITY;
 }
 
@@ -86,11 +86,11 @@ static TinkerCurvePiece piece_of(double start, double end, double y0, double y1,
 static gboolean find_kink(const TinkerCurveSamples *samples, gsize i, gsize left, gsize right, double *time)
 {
     double low = samples->times[i], high = samples->times[i + 1];
-    const double first = value_at(samples, left, low) - value_at(samples, right, low);
-    if (!(first * (value_at(samples, left, high) - value_at(samples, right, high)) < 0)) return FALSE;
+    const double first = value_at(samples, left, low, NULL) - value_at(samples, right, low, NULL);
+    if (!(first * (value_at(samples, left, high, NULL) - value_at(samples, right, high, NULL)) < 0)) return FALSE;
     for (int k = 0; k < BISECTIONS; k++) {
         *time = 0.5 * (low + high);
-        if ((value_at(samples, left, *time) - value_at(samples, right, *time)) * first > 0)
+        if ((value_at(samples, left, *time, NULL) - value_at(samples, right, *time, NULL)) * first > 0)
             low = *time;
         else
             high = *time;
@@ -98,40 +98,55 @@ static gboolean find_kink(const TinkerCurveSamples *samples, gsize i, gsize left
     return *time > samples->times[i] && *time < samples->times[i + 1];
 }
 
-/* Straight from sample to sample, where neither side tells how the curve goes on, or both sides as far as they meet. */
-static guint rough_pieces(const TinkerCurveSamples *samples, gsize i, TinkerCurvePiece pieces[2])
+/* Whether both sides tell how the curve goes on, as far as they meet. */
+static gboolean find_sides(const TinkerCurveSamples *samples, gsize i, gsize *left, gsize *right, double *kink)
+{
+    *left = i + 1 - POINTS;
+    *right = i + 1;
+    return i + 1 >= POINTS && *right + POINTS <= samples->count && !is_rough(samples, *left) &&
+           !is_rough(samples, *right) && find_kink(samples, i, *left, *right, kink);
+}
+
+/* The five samples that tell the slopes at both ends; FALSE where they would swing beyond the samples. */
+static gboolean find_smooth(const TinkerCurveSamples *samples, gsize i, gsize *first, gsize *second)
+{
+    *first = first_of(samples, i, 2);
+    *second = first_of(samples, i + 1, 2);
+    if (!is_rough(samples, *first) && !is_rough(samples, *second)) return TRUE;
+    for (gsize back = 0; back <= 3; back++) {
+        const gsize tried = first_of(samples, i, back);
+        if (fourth_difference(samples, tried) < fourth_difference(samples, *first)) *first = tried;
+    }
+    *second = *first;
+    return !is_rough(samples, *first);
+}
+
+guint tinker_curve_pieces(const TinkerCurveSamples *samples, gsize i, TinkerCurvePiece pieces[2])
 {
     const double start = samples->times[i], end = samples->times[i + 1], y0 = samples->values[i],
                  y1 = samples->values[i + 1], chord = (y1 - y0) / (end - start);
-    const gsize left = i + 1 - POINTS, right = i + 1;
+    gsize left, right;
     double kink;
-    const gboolean knows =
-        i + 1 >= POINTS && right + POINTS <= samples->count && !is_rough(samples, left) && !is_rough(samples, right);
-    if (!knows || !find_kink(samples, i, left, right, &kink)) {
+    if (find_smooth(samples, i, &left, &right)) {
+        pieces[0] = piece_of(start, end, y0, y1, slope_at(samples, left, start), slope_at(samples, right, end));
+        return 1;
+    }
+    if (!find_sides(samples, i, &left, &right, &kink)) {
         pieces[0] = piece_of(start, end, y0, y1, chord, chord);
         return 1;
     }
-    const double y = value_at(samples, left, kink);
+    const double y = value_at(samples, left, kink, NULL);
     pieces[0] = piece_of(start, kink, y0, y, slope_at(samples, left, start), slope_at(samples, left, kink));
     pieces[1] = piece_of(kink, end, y, y1, slope_at(samples, right, kink), slope_at(samples, right, end));
     return 2;
 }
 
-guint tinker_curve_pieces(const TinkerCurveSamples *samples, gsize i, TinkerCurvePiece pieces[2])
+double tinker_curve_roughness(const TinkerCurveSamples *samples, gsize i)
 {
-    gsize first = first_of(samples, i, 2), second = first_of(samples, i + 1, 2);
-    if (is_rough(samples, first) || is_rough(samples, second)) {
-        for (gsize back = 0; back <= 3; back++) {
-            const gsize tried = first_of(samples, i, back);
-            if (fourth_difference(samples, tried) < fourth_difference(samples, first)) first = tried;
-        }
-        second = first;
-        if (is_rough(samples, first)) return rough_pieces(samples, i, pieces);
-    }
-    const double start = samples->times[i], end = samples->times[i + 1];
-    pieces[0] = piece_of(start, end, samples->values[i], samples->values[i + 1], slope_at(samples, first, start),
-                         slope_at(samples, second, end));
-    return 1;
+    gsize left, right;
+    double kink;
+    if (!find_smooth(samples, i, &left, &right) && !find_sides(samples, i, &left, &right, &kink)) return INFINITY;
+    return fmax(fourth_difference(samples, left), fourth_difference(samples, right));
 }
 
 double tinker_curve_piece_value(const TinkerCurvePiece *piece, double s)

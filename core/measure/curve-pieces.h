@@ -20,6 +20,9 @@ typedef struct {
 
 /* The curve from sample i to the next, whose times differ: one piece, or two that meet at a kink. Answers how many. */
 guint tinker_curve_pieces(const TinkerCurveSamples *samples, gsize i, TinkerCurvePiece pieces[2]);
+/* The fourth difference of the samples that the curve there is made of, the larger one of both ends: of a cubic it is
+ * 0. Infinite where it goes straight from sample to sample. */
+double tinker_curve_roughness(const TinkerCurveSamples *samples, gsize i);
 double tinker_curve_piece_value(const TinkerCurvePiece *piece, double s);
 /* dy/dt at its end. */
 double tinker_curve_piece_end_slope(const TinkerCurvePiece *piece);

@@ -6,10 +6,10 @@
 
 #include "measure/statistics-private.h"
 
-/* What measured values differ by from the curve, and what the curve may be off by at their times where it is unknown
- * between events (between-events.c): root mean squares. */
+/* Root mean squares of what measured values differ by from the curve, of what the curve may be off by at their times
+ * where it is unknown between events (between-events.c), and of what it may be off by between samples. */
 typedef struct {
-    double differs, unknown;
+    double differs, unknown, open;
     gsize count;
 } Fit;
 
@@ -38,9 +38,10 @@ static double value_in(const TinkerCurveSamples *curve, gsize i, double time)
     return tinker_curve_piece_value(piece, (time - piece->start) / piece->width);
 }
 
-static Fit fit_of(const TinkerCurveSamples *curve, const TinkerCurveSamples *measured, double from, double to)
+static Fit fit_of(const TinkerCurveSamples *curve, const double *between, const TinkerCurveSamples *measured,
+                  double from, double to)
 {
-    Fit fit = {0, 0, 0};
+    Fit fit = {0, 0, 0, 0};
     double bends[2];
     gsize piece;
     tinker_bends(curve, bends);
@@ -51,6 +52,7 @@ static Fit fit_of(const TinkerCurveSamples *curve, const TinkerCurveSamples *mea
         const double difference = measured->values[i] - value_in(curve, piece, time);
         if (!isfinite(difference)) continue;
         fit.differs += difference * difference;
+        fit.open += between[piece] * between[piece];
         fit.count++;
         if (!tinker_is_between_events(curve, piece)) continue;
         const double off = 0.5 * bend * (time - curve->times[piece]) * (curve->times[piece + 1] - time);
@@ -58,24 +60,20 @@ static Fit fit_of(const TinkerCurveSamples *curve, const TinkerCurveSamples *mea
     }
     fit.differs = sqrt(fit.differs / (double)fit.count);
     fit.unknown = sqrt(fit.unknown / (double)fit.count);
+    fit.open = sqrt(fit.open / (double)fit.count);
     return fit;
 }
 
 gboolean tinker_residuals(const TinkerCurveSamples *curve, const TinkerCurveSamples *measured, double from, double to,
                           double band, TinkerStatistic *rms, gsize *count)
 {
-    double largest = 0;
     *count = 0;
     if (curve->count / 2 + 1 < TINKER_CURVE_LEAST) return FALSE;
-    const Fit fit = fit_of(curve, measured, from, to);
+    g_autofree double *off = tinker_between_samples(curve);
+    const Fit fit = fit_of(curve, off, measured, from, to);
     rms->value = fit.differs;
     *count = fit.count;
     if (*count == 0) return FALSE;
-    g_autofree double *room = NULL;
-    const TinkerCurveSamples coarse = tinker_every_second(curve, &room);
-    for (gsize i = 0; i < curve->count; i++)
-        largest = fmax(largest, fabs(curve->values[i]));
-    rms->error = band + TINKER_STATISTIC_ROUNDING * largest + fit.unknown +
-                 fabs(rms->value - fit_of(&coarse, measured, from, to).differs);
+    rms->error = band + fit.unknown + fit.open;
     return TRUE;
 }

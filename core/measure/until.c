@@ -43,13 +43,19 @@ static gboolean comes_to_hold(UntilCondition *condition, double t, const double 
     return before != 0 && side != before;
 }
 
+/* Whether an event is of this kind. Whoever asks for an impact means any: "rest" is one after which nothing bounces. */
+static gboolean is_of_kind(const TinkerEvent *event, const char *kind)
+{
+    return g_str_equal(event->kind, kind) || (g_str_equal(kind, "impact") && g_str_equal(event->kind, "rest"));
+}
+
 /* The first event of the kind after the start; INFINITY. */
 static double time_of_event(const TinkerSummary *summary, const UntilCondition *condition)
 {
     for (guint i = 0; i < summary->events->len; i++) {
         const TinkerEvent *event = g_ptr_array_index(summary->events, i);
         g_auto(GStrv) blocks = g_strsplit(event->blocks != NULL ? event->blocks : "", ", ", -1);
-        if (event->time > 0 && strcmp(event->kind, condition->event) == 0 &&
+        if (event->time > 0 && is_of_kind(event, condition->event) &&
             (condition->block == NULL || g_strv_contains((const char *const *)blocks, condition->block)))
             return event->time;
     }

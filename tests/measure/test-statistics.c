@@ -77,16 +77,29 @@ static double damped_badly(double t)
     return damped(t) + BAND * t / 20 * sin(4 * t + 1.3);
 }
 
+/* As of a method that damps too much and is too slow: exp(-a t) t is 1 / (a e) at most. */
+static double damped_by_method(double t)
+{
+    const double more = 0.5 * BAND * 0.05 * 4 * G_E;
+    return 1.7 + exp(-(0.05 * 4 + more) * t) * cos((4 * sqrt(1 - 0.0025) - more) * t + 1);
+}
+
 /* What is not within the errors of the samples is within those that a band adds. */
 static void test_band(void)
 {
     TinkerStatistics without, with;
+    const double period = 2 * G_PI / (4 * sqrt(1 - 0.0025)), decrement = 2 * G_PI * 0.05 / sqrt(1 - 0.0025);
+    fill(20001, 20, damped_by_method);
+    g_assert_true(tinker_statistics(times, values, 20001, 0, 20, 0, &without));
+    g_assert_cmpfloat(fabs(without.period.value - period), >, without.period.error);
+    g_assert_cmpfloat(fabs(without.decrement.value - decrement), >, without.decrement.error);
+    g_assert_true(tinker_statistics(times, values, 20001, 0, 20, BAND, &with));
+    check("period", with.period, period, 1e-3);
+    check("decrement", with.decrement, decrement, 1e-2);
+    check("damping", with.damping, 0.05, 1e-2);
     fill(20001, 20, damped_badly);
     g_assert_true(tinker_statistics(times, values, 20001, 0, 20, 0, &without));
     g_assert_true(tinker_statistics(times, values, 20001, 0, 20, BAND, &with));
-    const double period = 2 * G_PI / (4 * sqrt(1 - 0.0025)), decrement = 2 * G_PI * 0.05 / sqrt(1 - 0.0025);
-    g_assert_cmpfloat(fabs(without.period.value - period), >, without.period.error);
-    g_assert_cmpfloat(fabs(without.decrement.value - decrement), >, without.decrement.error);
     check("period", with.period, period, 1e-3);
     check("decrement", with.decrement, decrement, 1e-2);
     check("damping", with.damping, 0.05, 1e-2);
@@ -259,6 +272,41 @@ static void test_dry_friction(void)
     g_assert_cmpint(s.no_damping, ==, TINKER_SWINGS_OFF_SHARE);
 }
 
+/* Of what is no number somewhere nothing is known, neither its extrema nor a period. */
+static void test_undefined(void)
+{
+    TinkerStatistics s;
+    fill(1000, 5, wave);
+    values[500] = NAN;
+    g_assert_true(tinker_statistics(times, values, 1000, 0.5, 4.5, 0, &s));
+    g_assert_true(isnan(s.mean.value) && isnan(s.greatest.value) && isnan(s.amplitude.error) && isnan(s.period.value));
+    g_assert_cmpint(s.no_period, ==, TINKER_SWINGS_UNDEFINED);
+    g_assert_true(tinker_statistics(times, values, 1000, 0.5, 2.2, 0, &s));
+    check("amplitude", s.amplitude, 3, 1e-7);
+}
+
+/* As the error of a formula that divides by what nearly vanishes half way between two samples. */
+static double peak(double t)
+{
+    return 1 / (0.01 + (t - 0.525) * (t - 0.525));
+}
+
+static void test_greatest_about(void)
+{
+    fill(21, 1, peak);
+    double about = tinker_greatest_about(times, values, 21, 0, 1);
+    g_assert_cmpfloat(values[10], <, 95);
+    g_assert_cmpfloat(about, >=, 100);
+    g_assert_cmpfloat(about, <, 150);
+    g_assert_cmpfloat(tinker_greatest_about(times, values, 21, 0, 0.2), <, 12);
+    fill(2001, 1, peak);
+    about = tinker_greatest_about(times, values, 2001, 0, 1);
+    g_assert_cmpfloat(about, >=, 100);
+    g_assert_cmpfloat(about, <, 100.01);
+    values[700] = NAN;
+    g_assert_true(isnan(tinker_greatest_about(times, values, 2001, 0, 1)));
+}
+
 int main(int argc, char **argv)
 {
     g_test_init(&argc, &argv, NULL);
@@ -273,5 +321,7 @@ int main(int argc, char **argv)
     g_test_add_func("/measure/statistics/uneven", test_uneven);
     g_test_add_func("/measure/statistics/comes-to-rest", test_comes_to_rest);
     g_test_add_func("/measure/statistics/dry-friction", test_dry_friction);
+    g_test_add_func("/measure/statistics/undefined", test_undefined);
+    g_test_add_func("/measure/statistics/greatest-about", test_greatest_about);
     return g_test_run();
 }

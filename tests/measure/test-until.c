@@ -70,6 +70,12 @@ static void test_events(void)
 {
     check("dop853", DROP, "event(impact)", 0.5);
     check("dop853", DROP, "event(impact, Mass 0)", 0.5);
+    /* what does not bounce off has landed with an impact, too */
+    check("dop853",
+          "{'type': 'gravity', 'acceleration': 10}, {'type': 'support', 'width': 9, 'position': [0, -0.2], "
+          "'restitution': "
+          "0}, {'type': 'mass', 'position': [0, 1.25], 'width': 0, 'height': 0}",
+          "event(impact)", 0.5);
     /* a jump has no root in between, and is found as exactly */
     check("dop853", DROP, "{Mass 0.vy} > 2", 0.5);
     /* upwards at 2.5 m/s from 0.5 s on */

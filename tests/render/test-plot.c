@@ -165,6 +165,35 @@ static void test_thinning(void)
     tinker_text_pen_clear(&pen);
 }
 
+/* Six swings to a pixel, and a growing amplitude: ink from -A to A everywhere, without a seam, and none beyond. */
+static void test_crowd(void)
+{
+    const gsize count = 1000000;
+    g_autofree double *x = g_new(double, count), *y = g_new(double, count);
+    for (gsize i = 0; i < count; i++) {
+        x[i] = (double)i / (double)(count - 1);
+        y[i] = (0.3 + 0.7 * x[i]) * cos(20000 * x[i]);
+    }
+    const TinkerCurve curve = {.x = x, .y = y, .count = count};
+    for (int quick = 0; quick < 2; quick++) {
+        const TinkerPlot plot = {
+            .curves = &curve, .curve_count = 1, .x_label = "X", .y_label = "Y", .quick = quick != 0};
+        g_autoptr(TestPicture) picture = test_plot_draw(&plot);
+        double corners[2][2]; /* of x = 0 and y = 0, of x = 1 and y = 1 */
+        for (int k = 0; k < 2; k++)
+            test_plot_place(&plot, k, k, &corners[k][0], &corners[k][1]);
+        for (double at = 0.02; at < 0.98; at += 0.0031) {
+            const double amplitude = (0.3 + 0.7 * at) * (corners[0][1] - corners[1][1]);
+            const double across = corners[0][0] + at * (corners[1][0] - corners[0][0]);
+            const double top = corners[0][1] - amplitude, bottom = corners[0][1] + amplitude;
+            for (double down = top + 2; down < bottom - 2; down++)
+                g_assert_true(test_picture_shows(picture, across, down, 0, test_plot_colour(0)));
+            g_assert_false(test_picture_shows(picture, across, top - 4, 0, test_plot_colour(0)));
+            g_assert_false(test_picture_shows(picture, across, bottom + 4, 0, test_plot_colour(0)));
+        }
+    }
+}
+
 static void test_gap(void)
 {
     TestPlotData data;
@@ -286,6 +315,7 @@ int main(int argc, char **argv)
     g_test_add_func("/render/plot/roles", test_roles);
     g_test_add_func("/render/plot/spike", test_spike);
     g_test_add_func("/render/plot/thinning", test_thinning);
+    g_test_add_func("/render/plot/crowd", test_crowd);
     g_test_add_func("/render/plot/gap", test_gap);
     g_test_add_func("/render/plot/behind", test_behind);
     g_test_add_func("/render/plot/degenerate", test_degenerate);

@@ -219,49 +219,48 @@ void tinker_plot_draw_marker(cairo_t *cairo, const TinkerCurve *curve, double x,
 /* A curve on its way to the path. */
 typedef struct {
     cairo_t *cairo;
-    double x, y;      /* the point before */
-    gsize run;        /* points since the pen came down */
-    GArray *isolated; /* of x and y in turns: points between two gaps; made at the first */
+    double column_width;
+    GArray *points;   /* of double[2]: since the pen came down */
+    GArray *solids;   /* of TinkerPlotSolid */
+    GArray *isolated; /* of double[2]: points between two gaps */
 } Pen;
 
 /* The pen goes up: a lone point is noted. */
 static void lift(Pen *pen)
 {
-    if (pen->run == 1) {
-        if (!pen->isolated) pen->isolated = g_array_new(FALSE, FALSE, sizeof(double));
-        g_array_append_vals(pen->isolated, (double[]){pen->x, pen->y}, 2);
-    }
-    pen->run = 0;
+    if (pen->points->len == 1)
+        g_array_append_vals(pen->isolated, pen->points->data, 1);
+    else
+        tinker_plot_trace(pen->cairo, (const double(*)[2])(gconstpointer)pen->points->data, pen->points->len,
+                          pen->column_width, pen->solids);
+    g_array_set_size(pen->points, 0);
 }
 
 static void draw_to(double x, double y, gboolean starts, gpointer data)
 {
     Pen *pen = data;
-    if (starts) {
-        lift(pen);
-        cairo_move_to(pen->cairo, x, y);
-    } else {
-        cairo_line_to(pen->cairo, x, y);
-    }
-    pen->x = x;
-    pen->y = y;
-    pen->run++;
+    const double point[2] = {x, y};
+    if (starts) lift(pen);
+    g_array_append_vals(pen->points, point, 1);
 }
 
 /* A sample between two gaps has no line: it is a dot, a little wider than the line so that it is seen. */
 static void draw_line(cairo_t *cairo, const TinkerPlotLayout *layout, const TinkerCurve *curve, double column_width)
 {
-    Pen pen = {.cairo = cairo};
+    Pen pen = {cairo, column_width, g_array_new(FALSE, FALSE, sizeof(double[2])),
+               g_array_new(FALSE, FALSE, sizeof(TinkerPlotSolid)), g_array_new(FALSE, FALSE, sizeof(double[2]))};
     cairo_new_path(cairo);
     tinker_plot_walk(layout, curve, column_width, draw_to, &pen);
     lift(&pen);
     cairo_stroke(cairo);
-    if (!pen.isolated) return;
-    for (guint i = 0; i < pen.isolated->len; i += 2) {
-        const double *point = &g_array_index(pen.isolated, double, i);
-        cairo_arc(cairo, point[0], point[1], TINKER_PLOT_LINE, 0, 2 * G_PI);
+    tinker_plot_fill_solids(cairo, pen.solids);
+    const double(*isolated)[2] = (const double(*)[2])(gconstpointer)pen.isolated->data;
+    for (guint i = 0; i < pen.isolated->len; i++) {
+        cairo_arc(cairo, isolated[i][0], isolated[i][1], TINKER_PLOT_LINE, 0, 2 * G_PI);
         cairo_fill(cairo);
     }
+    g_array_unref(pen.points);
+    g_array_unref(pen.solids);
     g_array_unref(pen.isolated);
 }
 

@@ -112,6 +112,17 @@ typedef void (*TinkerPathFunction)(double x, double y, gboolean starts, gpointer
 void tinker_plot_walk(const TinkerPlotLayout *layout, const TinkerCurve *curve, double column_width,
                       TinkerPathFunction path, gpointer data);
 
+/* One column of a part of a curve that is crowded (plot-crowd.c); `begins`: it has none on its left. */
+typedef struct {
+    double left, right, top, bottom;
+    gboolean begins;
+} TinkerPlotSolid;
+
+/* Adds points in a row to the path, which it begins with a move; what is crowded is added to `solids` instead, to be
+ * filled once the path is stroked. `width`: of the columns that the curve was thinned to. */
+void tinker_plot_trace(cairo_t *cairo, const double (*points)[2], gsize count, double width, GArray *solids);
+void tinker_plot_fill_solids(cairo_t *cairo, const GArray *solids);
+
 void tinker_plot_draw_band(cairo_t *cairo, const TinkerPlotLayout *layout, const TinkerCurve *curve,
                            double column_width);
 void tinker_plot_draw_curve(cairo_t *cairo, const TinkerPlotLayout *layout, const TinkerCurve *curve,

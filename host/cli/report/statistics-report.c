@@ -63,18 +63,26 @@ static void add_json(cJSON *curves, const TinkerChartCurve *curve, const TinkerS
     cJSON_AddItemToArray(curves, object);
 }
 
-/* How far the run may have the curve off within the interval: 0 where nobody asked, NAN where that is not known. */
+/* How far the run may have the curve off within the interval: 0 where nobody asked, NAN where that is not known. Of a
+ * formula it may be more between samples than at them. */
 static gboolean find_run_error(const TinkerChart *chart, const TinkerChartCurve *curve, double from, double to,
                                double *largest, GError **error)
 {
     g_autofree double *row = g_new(double, tinker_chart_width(chart));
     const gsize count = chart->record == NULL ? 0 : tinker_record_rows(chart->record);
+    g_autoptr(GArray) times = g_array_new(FALSE, FALSE, sizeof(double)),
+                      bands = g_array_new(FALSE, FALSE, sizeof(double));
     *largest = 0;
     for (gsize i = 0; chart->has_bands && curve->table == NULL && i < count; i++) {
         if (!tinker_record_read(chart->record, i, 1, row, error)) return FALSE;
         const double band = curve->axis.per_si * tinker_chart_band(chart, curve, row);
         if (row[0] >= from && row[0] <= to && !(band <= *largest)) *largest = band; /* NAN from where it is not known */
+        g_array_append_val(times, row[0]);
+        g_array_append_val(bands, band);
     }
+    if (curve->formula != NULL && bands->len > 0)
+        *largest = tinker_greatest_about((const double *)(gconstpointer)times->data,
+                                         (const double *)(gconstpointer)bands->data, bands->len, from, to);
     return TRUE;
 }
 

@@ -76,6 +76,8 @@ void tinker_canvas_set_player(TinkerCanvas *canvas, TinkerDocument *document, Ti
     g_signal_connect_object(document, "selection-changed", G_CALLBACK(on_selection_changed), canvas, G_CONNECT_SWAPPED);
     g_signal_connect_object(document, "pointed-changed", G_CALLBACK(gtk_widget_queue_draw), canvas, G_CONNECT_SWAPPED);
     g_signal_connect_object(player, "moved", G_CALLBACK(on_moved), canvas, G_CONNECT_SWAPPED);
+    g_signal_connect_object(tinker_player_kept(player), "changed", G_CALLBACK(gtk_widget_queue_draw), canvas,
+                            G_CONNECT_SWAPPED);
     tinker_desktop_theme_redraws(GTK_WIDGET(canvas));
 }
 

@@ -2,6 +2,7 @@
 #include <math.h>
 
 #include "gui/curve/graph-series-private.h"
+#include "measure/statistics.h"
 
 /* All of one quantity, from the start. */
 static void read_all(TinkerSeriesReader read, gpointer source, TinkerQuantity of, GArray *times, GArray *values)
@@ -12,12 +13,11 @@ static void read_all(TinkerSeriesReader read, gpointer source, TinkerQuantity of
     while (cursor.behind);
 }
 
-/* Of a formula it is another in each sample. */
+/* Of a formula it is another in each sample, and between them it may be more. */
 static double formula_error(const TinkerGraphSeries *series, TinkerSeriesReader read, gpointer source,
                             const double *bands, const double *range)
 {
     const guint sources = series->sources->len;
-    double largest = 0;
     guint rows = G_MAXUINT;
     g_autoptr(GPtrArray) values = g_ptr_array_new_with_free_func((GDestroyNotify)g_array_unref);
     g_autoptr(GArray) times = g_array_new(FALSE, FALSE, sizeof(double));
@@ -29,15 +29,14 @@ static double formula_error(const TinkerGraphSeries *series, TinkerSeriesReader 
         read_all(read, source, graph_source(series, k)->of, times, column);
         rows = MIN(rows, column->len);
     }
+    g_autofree double *errors = g_new(double, rows);
     for (guint i = 0; i < rows; i++) {
         const double time = g_array_index(times, double, i);
-        if (time < range[0] || time > range[1]) continue;
         for (guint k = 0; k < sources; k++)
             row[k] = g_array_index((GArray *)g_ptr_array_index(values, k), double, i);
-        const double error = tinker_formula_band(series->formula, time, row, bands);
-        if (!(error <= largest)) largest = error;
+        errors[i] = tinker_formula_band(series->formula, time, row, bands);
     }
-    return largest;
+    return tinker_greatest_about((const double *)(gconstpointer)times->data, errors, rows, range[0], range[1]);
 }
 
 gboolean tinker_graph_series_run_error(const TinkerGraphSeries *series, TinkerSeriesReader read, TinkerBandReader band,

@@ -31,10 +31,14 @@ static const char *why_none(TinkerSwings swings)
         return _("it does not swing to and fro often enough");
     case TINKER_SWINGS_UNEVEN:
         return _("its swings do not take equally long");
+    case TINKER_SWINGS_UNLIKE:
+        return _("its swings become larger and smaller in turn, and do not come again");
     case TINKER_SWINGS_OFF_SHARE:
         return _("its swings do not shrink by the same share each time");
     case TINKER_SWINGS_COARSE:
         return _("too few samples in a swing");
+    case TINKER_SWINGS_UNDEFINED:
+        return _("it is not defined everywhere");
     default:
         return "";
     }
@@ -101,15 +105,16 @@ static void add_curve(GString *text, const TinkerGraphData *data, guint curve, c
         g_string_append_printf(text, "%s\n\n", _("too few samples"));
         return;
     }
+    const TinkerSwings defined = isfinite(found.mean.value) ? TINKER_SWINGS_GOOD : TINKER_SWINGS_UNDEFINED;
     const struct {
         const char *name, *unit;
         const TinkerStatistic *statistic;
         TinkerSwings swings;
-    } lines[] = {{_("Mean"), unit, &found.mean, TINKER_SWINGS_GOOD},
-                 {_("Root mean square"), unit, &found.rms, TINKER_SWINGS_GOOD},
-                 {_("Least"), unit, &found.least, TINKER_SWINGS_GOOD},
-                 {_("Greatest"), unit, &found.greatest, TINKER_SWINGS_GOOD},
-                 {_("Amplitude"), unit, &found.amplitude, TINKER_SWINGS_GOOD},
+    } lines[] = {{_("Mean"), unit, &found.mean, defined},
+                 {_("Root mean square"), unit, &found.rms, defined},
+                 {_("Least"), unit, &found.least, defined},
+                 {_("Greatest"), unit, &found.greatest, defined},
+                 {_("Amplitude"), unit, &found.amplitude, defined},
                  {_("Period"), "s", &found.period, found.no_period},
                  {_("Logarithmic decrement"), "", &found.decrement, found.no_damping},
                  {_("Damping ratio"), "", &found.damping, found.no_damping}};

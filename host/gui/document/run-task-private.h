@@ -9,7 +9,8 @@
 #include "physics/record/record.h"
 
 #define RUN_TASK_STATE     6                  /* doubles of a body in a row: x, y, vx, vy, orientation, rate */
-#define RUN_TASK_IN_MEMORY ((gsize)256 << 20) /* bytes of a record; beyond, a temporary file */
+#define RUN_TASK_IN_MEMORY ((gsize)256 << 20) /* bytes of samples and events together; beyond, temporary files */
+#define RUN_TASK_OF_EVENTS (RUN_TASK_IN_MEMORY / 4)
 
 /* Rows that the thread appends and others read. */
 typedef struct {

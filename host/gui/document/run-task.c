@@ -61,8 +61,8 @@ gsize run_task_event_width(const TinkerRunTask *task)
 
 void run_task_record_init(const TinkerRunTask *task, RunTaskRecord *record)
 {
-    record->samples.record = tinker_record_new(run_task_row_width(task), RUN_TASK_IN_MEMORY);
-    record->events.record = tinker_record_new(run_task_event_width(task), RUN_TASK_IN_MEMORY);
+    record->samples.record = tinker_record_new(run_task_row_width(task), RUN_TASK_IN_MEMORY - RUN_TASK_OF_EVENTS);
+    record->events.record = tinker_record_new(run_task_event_width(task), RUN_TASK_OF_EVENTS);
     record->samples.times = g_array_new(FALSE, FALSE, sizeof(double));
     record->events.times = g_array_new(FALSE, FALSE, sizeof(double));
 }

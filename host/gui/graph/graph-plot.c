@@ -5,12 +5,12 @@
 #include <glib/gi18n.h>
 
 #include "gui/widget/desktop-theme.h"
+#include "gui/widget/enlargement.h"
 #include "gui/widget/image-texture.h"
 
-#define USUAL_DPI    96.0 /* of a screen of which nothing is told */
-#define HINT_LEFT    48   /* widget units, beyond the labels of the upright axis */
-#define RECORDING_MS 100  /* how often the picture is renewed while the record grows and nothing plays */
-#define BEHIND_MS    15   /* and while there is more of the record than one frame reads */
+#define HINT_LEFT    48  /* widget units, beyond the labels of the upright axis */
+#define RECORDING_MS 100 /* how often the picture is renewed while the record grows and nothing plays */
+#define BEHIND_MS    15  /* and while there is more of the record than one frame reads */
 
 G_DEFINE_FINAL_TYPE(TinkerGraphPlot, tinker_graph_plot, GTK_TYPE_WIDGET)
 
@@ -110,21 +110,6 @@ static gboolean same_picture(const TinkerGraphPicture *a, const TinkerGraphPictu
            a->quick == b->quick && a->enlargement == b->enlargement && a->revision == b->revision;
 }
 
-/* How much larger the widget's font is than the desktop's, as on a projector. */
-static double enlargement_of(GtkWidget *widget)
-{
-    g_autofree char *name = NULL;
-    int dpi = -1; /* in 1024ths; -1: unknown */
-    g_object_get(gtk_widget_get_settings(widget), "gtk-font-name", &name, "gtk-xft-dpi", &dpi, NULL);
-    PangoFontDescription *usual = pango_font_description_from_string(name != NULL ? name : "");
-    const PangoFontDescription *own = pango_context_get_font_description(gtk_widget_get_pango_context(widget));
-    const double points = pango_font_description_get_size(usual), dots = pango_font_description_get_size(own);
-    const double size =
-        pango_font_description_get_size_is_absolute(own) ? dots * 72 / (dpi > 0 ? dpi / 1024.0 : USUAL_DPI) : dots;
-    pango_font_description_free(usual);
-    return points > 0 && size > points ? size / points : 1;
-}
-
 static void tinker_graph_plot_snapshot(GtkWidget *widget, GtkSnapshot *snapshot)
 {
     TinkerGraphPlot *plot = TINKER_GRAPH_PLOT(widget);
@@ -134,7 +119,7 @@ static void tinker_graph_plot_snapshot(GtkWidget *widget, GtkSnapshot *snapshot)
         .factor = gtk_widget_get_scale_factor(widget),
         .theme = tinker_desktop_theme(),
         .quick = tinker_player_state(plot->player) == TINKER_PLAYER_PLAYING,
-        .enlargement = enlargement_of(widget),
+        .enlargement = tinker_enlargement(widget),
         .revision = tinker_graph_data_update(plot->data),
     };
     if (picture.width < 1 || picture.height < 1) return;

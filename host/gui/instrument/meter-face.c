@@ -3,6 +3,7 @@
 
 #include <math.h>
 
+#include "gui/widget/enlargement.h"
 #include "render/plot/plot.h"
 
 #define DIAL_WIDTH  150
@@ -26,7 +27,7 @@ G_DEFINE_FINAL_TYPE(TinkerMeterFace, tinker_meter_face, GTK_TYPE_WIDGET)
 
 typedef struct {
     cairo_t *cairo;
-    double width, height;
+    double width, height; /* without the enlargement */
     GdkRGBA ink, accent;
 } Sheet;
 
@@ -97,12 +98,14 @@ static void paint_bar(const TinkerMeterFace *face, const Sheet *sheet)
 static void tinker_meter_face_snapshot(GtkWidget *widget, GtkSnapshot *snapshot)
 {
     TinkerMeterFace *face = TINKER_METER_FACE(widget);
-    Sheet sheet = {.width = gtk_widget_get_width(widget), .height = gtk_widget_get_height(widget)};
+    const double larger = tinker_enlargement(widget);
+    const int width = gtk_widget_get_width(widget), height = gtk_widget_get_height(widget);
+    Sheet sheet = {.width = width / larger, .height = height / larger};
     GtkStyleContext *style = gtk_widget_get_style_context(widget);
     gtk_style_context_get_color(style, &sheet.ink);
     if (!gtk_style_context_lookup_color(style, "accent_color", &sheet.accent)) sheet.accent = sheet.ink;
-    sheet.cairo =
-        gtk_snapshot_append_cairo(snapshot, &GRAPHENE_RECT_INIT(0, 0, (float)sheet.width, (float)sheet.height));
+    sheet.cairo = gtk_snapshot_append_cairo(snapshot, &GRAPHENE_RECT_INIT(0, 0, (float)width, (float)height));
+    cairo_scale(sheet.cairo, larger, larger);
     gdk_cairo_set_source_rgba(sheet.cairo, &sheet.ink);
     cairo_set_font_size(sheet.cairo, TEXT);
     if (face->dial)
@@ -116,7 +119,8 @@ static void tinker_meter_face_measure(GtkWidget *widget, GtkOrientation orientat
                                       int *natural, int *least_baseline, int *natural_baseline)
 {
     const gboolean dial = TINKER_METER_FACE(widget)->dial, across = orientation == GTK_ORIENTATION_HORIZONTAL;
-    *least = *natural = dial ? (across ? DIAL_WIDTH : DIAL_HEIGHT) : (across ? BAR_WIDTH : BAR_HEIGHT);
+    const int size = dial ? (across ? DIAL_WIDTH : DIAL_HEIGHT) : (across ? BAR_WIDTH : BAR_HEIGHT);
+    *least = *natural = (int)ceil(size * tinker_enlargement(widget));
 }
 
 void tinker_meter_face_set_range(TinkerMeterFace *face, double low, double high)

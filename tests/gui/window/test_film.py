@@ -4,7 +4,7 @@ so that the window is the same wherever it is tested; the film itself is tested 
 import os
 import re
 
-from harness import App, colours, check, check_equal, main, mass, scene, wait
+from harness import App, colours, check, check_equal, main, mass, scene, support, wait
 
 TAKES_ALL = "#!/bin/sh\nfor last; do :; done\nexec /bin/cat >\"${last#file:}\"\n"
 BYTES = 640 * 480 * 4  # of a picture
@@ -62,6 +62,23 @@ def test_graphs_below_the_motion(display):
             app.save_dialog("Save Film", app.home / name)
             wait((app.home / name).exists, "the film")
             check_equal(curve in (app.home / name).read_bytes(), wanted, f"a curve in {name}")
+            app.gone("progress bar", "Progress of the film")
+
+
+def test_arrows_of_forces_in_the_film(display):
+    """As the canvas shows them: of a body at rest on its floor the normal force has a colour of its own."""
+    home = display.new_home()
+    normal = bytes(reversed(colours.NORMAL))
+    resting = scene(support("Floor", 0, 0), mass("Box", 0, 0.6), {"type": "gravity", "name": "Gravity"}, duration=0.2)
+    with App(display, resting, home=home, environment=environment(display, home, TAKES_ALL)) as app:
+        for name, wanted in (("plain.mp4", False), ("arrows.mp4", True)):
+            if wanted:
+                app.activate("show-forces")
+            dialog = ask_for_film(app)
+            app.click(re.compile("^Export…"), inside=dialog)
+            app.save_dialog("Save Film", app.home / name)
+            wait((app.home / name).exists, "the film")
+            check_equal(normal in (app.home / name).read_bytes(), wanted, f"an arrow in {name}")
             app.gone("progress bar", "Progress of the film")
 
 
