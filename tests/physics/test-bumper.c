@@ -192,8 +192,32 @@ static void test_slowly_across(void)
     }
 }
 
+/* A mass that slides and slows down comes to the bumper before a box at rest, whose friction its damper overcomes at
+ * once: that force is there from one place on, which no step comes to exactly. */
+static void test_box_gives_way(void)
+{
+    const double v = 1.33, slowing = 0.2 * CONTACT_GRAVITY, gap = 0.1535;
+    const double met = (v - sqrt(v * v - 2 * slowing * gap)) / slowing;
+    for (int digits = 4; digits <= 11; digits++) {
+        g_autoptr(PhysicsRun) run = physics_run(
+            &(PhysicsOptions){
+                .method = "dop853", .tolerance = pow(10, -digits), .duration = 0.5, .columns = "Mass 0.vx, Box 0.vx"},
+            CONTACT_WEIGHT "{'type': 'support', 'position': [0, -0.1], 'width': 60, 'height': 0.2,"
+                           " 'static_friction': 0.24, 'dynamic_friction': 0.2},"
+                           "{'type': 'mass', 'width': 0.2, 'height': 0.2, 'position': [0, 0.1], 'velocity': [1.33, 0]},"
+                           "{'type': 'box', 'mass': 2, 'width': 0.2, 'height': 0.2, 'position': [0.6, 0.1]},"
+                           "{'type': 'bumper', 'ends': ['Mass 0', 'Box 0'], 'stiffness': 1500, 'damping': 5,"
+                           " 'length': 0.4465}");
+        const double off = fmax(1e-9, 0.2 * pow(10, -digits) / (v - slowing * met));
+        const TinkerEvent *slips = g_ptr_array_index(run->summary->events, 0);
+        g_assert_cmpstr(slips->kind, ==, "slip");
+        physics_assert_near("gives way", slips->time, met, off);
+    }
+}
+
 static void add_tests(void)
 {
+    g_test_add_func("/physics/bumper/box-gives-way", test_box_gives_way);
     g_test_add_func("/physics/bumper/held-within", test_held_within);
     g_test_add_func("/physics/bumper/across", test_across);
     g_test_add_func("/physics/bumper/slowly-across", test_slowly_across);

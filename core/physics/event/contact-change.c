@@ -326,6 +326,18 @@ static void note_instant(TinkerContactRun *self)
     self->changed = t;
 }
 
+/* Moves everything on by rounding of its place, and more each time, up to what a step may miss it by. */
+static void pass_edge(TinkerContactRun *self, int times)
+{
+    TinkerIslandRun *run = self->run;
+    double extent, speed;
+    run->system.system.scales(&run->system, run->state.q, run->state.v, &extent, &speed);
+    const double way = fmin(ldexp(TINKER_PAST_EDGE, 2 * MIN(times, 100)), self->run->choice.tolerance) * extent;
+    const double moment = speed > 0 ? way / speed : 0;
+    for (int32_t i = 0; i < run->system.system.size; i++)
+        run->state.q[i] += moment * run->state.v[i];
+}
+
 gboolean tinker_contact_run_change(TinkerContactRun *self, const TinkerTrigger *trigger, double tolerance, double slow,
                                    GError **error)
 {
@@ -335,6 +347,11 @@ gboolean tinker_contact_run_change(TinkerContactRun *self, const TinkerTrigger *
         return tinker_island_run_fail(self->run, self->model->failure, error);
     tinker_model_set_state(self->model, self->run->state.q, self->run->state.v);
     tinker_contact_run_note_turn(self, trigger);
+    const int times = tinker_contact_run_stays_at_edge(self, trigger);
+    if (times > 0) {
+        pass_edge(self, times);
+        tinker_model_set_state(self->model, self->run->state.q, self->run->state.v);
+    }
     if (trigger->kind == TINKER_TRIGGER_GAP && trigger->row < 0)
         reach += 2 * fabs(tinker_contact_place(self->contacts, trigger->body, trigger->plate).gap);
     tinker_contact_run_find_near(self, self->run->state.q, self->run->state.q, reach);

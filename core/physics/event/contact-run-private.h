@@ -65,7 +65,8 @@ struct _TinkerContactRun {
     double *orientation;               /* by body */
     double last_impact, passed_impact; /* s */
     gboolean warned;                   /* that the outcome depends on the law of impact; */
-    gboolean warned_pins;              /* that a blow passed a pin with friction */
+    gboolean warned_pins;              /* that a blow passed a pin with friction; */
+    gboolean warned_share;             /* that the motion depends on how a load is shared */
     const double *given; /* by coordinate: what a blow that blocks give, and is passed now, gave; or NULL */
 
     /* the step in progress */
@@ -237,6 +238,11 @@ gboolean tinker_contact_run_leaves(const TinkerContactRun *contact_run, const Ti
 GArray *tinker_contact_turns_new(void);
 void tinker_contact_run_note_turn(TinkerContactRun *contact_run, const TinkerTrigger *trigger);
 gboolean tinker_contact_run_goes_by_turns(const TinkerContactRun *contact_run, const TinkerTrigger *trigger);
+/* How many times more than a few the same came to its end there, and nothing followed from it: a force jumps at this
+ * very place, which the state has not come to but for what dense output misses by. */
+int tinker_contact_run_stays_at_edge(const TinkerContactRun *contact_run, const TinkerTrigger *trigger);
+/* Whether the contact of the trigger had opened at its last turn, and closed at once. */
+gboolean tinker_contact_run_came_back(const TinkerContactRun *contact_run, const TinkerTrigger *trigger);
 /* Whether what is met strikes so often within no time that the blows have no end: a body between two that close on it.
  */
 gboolean tinker_contact_run_strikes_by_turns(const TinkerContactRun *contact_run, const TinkerTrigger *trigger);

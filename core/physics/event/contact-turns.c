@@ -17,7 +17,8 @@ typedef struct {
     TinkerContactPair pair;
     gboolean blows;
     int turns;
-    double time; /* s: of the last */
+    double time;                 /* s: of the last */
+    TinkerTriggerKind kind, was; /* of the last, and of the one before */
 } Turns;
 
 static gboolean is_of_force(TinkerTriggerKind kind)
@@ -53,7 +54,7 @@ static gboolean stayed_closed(const TinkerContactRun *self, const TinkerTrigger 
 static void note_blow(TinkerContactRun *self, const TinkerTrigger *trigger)
 {
     const double t = self->run->state.t;
-    const Turns first = {{trigger->body, trigger->plate, trigger->row}, TRUE, 1, t};
+    const Turns first = {{trigger->body, trigger->plate, trigger->row}, TRUE, 1, t, trigger->kind, TINKER_TRIGGER_NONE};
     Turns *turns = find(self, trigger, TRUE);
     if (turns == NULL) {
         g_array_append_val(self->turns, first);
@@ -73,7 +74,8 @@ void tinker_contact_run_note_turn(TinkerContactRun *self, const TinkerTrigger *t
     for (guint i = self->turns->len; i-- > 0;)
         if (!g_array_index(self->turns, Turns, i).blows && t - g_array_index(self->turns, Turns, i).time > soon)
             g_array_remove_index_fast(self->turns, i);
-    const Turns first = {{trigger->body, trigger->plate, trigger->row}, FALSE, 1, t};
+    const Turns first = {
+        {trigger->body, trigger->plate, trigger->row}, FALSE, 1, t, trigger->kind, TINKER_TRIGGER_NONE};
     Turns *turns = find(self, trigger, FALSE);
     if (turns == NULL) {
         g_array_append_val(self->turns, first);
@@ -81,12 +83,26 @@ void tinker_contact_run_note_turn(TinkerContactRun *self, const TinkerTrigger *t
     }
     turns->turns++;
     turns->time = t;
+    turns->was = turns->kind;
+    turns->kind = trigger->kind;
 }
 
 gboolean tinker_contact_run_goes_by_turns(const TinkerContactRun *self, const TinkerTrigger *trigger)
 {
     const Turns *turns = is_of_force(trigger->kind) ? find(self, trigger, FALSE) : NULL;
     return turns != NULL && turns->turns > FEW_TURNS;
+}
+
+gboolean tinker_contact_run_came_back(const TinkerContactRun *self, const TinkerTrigger *trigger)
+{
+    const Turns *turns = find(self, trigger, FALSE);
+    return turns != NULL && turns->was == TINKER_TRIGGER_LEAVING;
+}
+
+int tinker_contact_run_stays_at_edge(const TinkerContactRun *self, const TinkerTrigger *trigger)
+{
+    const Turns *turns = is_of_force(trigger->kind) ? find(self, trigger, FALSE) : NULL;
+    return turns != NULL && turns->was == turns->kind ? MAX(turns->turns - FEW_TURNS, 0) : 0;
 }
 
 gboolean tinker_contact_run_strikes_by_turns(const TinkerContactRun *self, const TinkerTrigger *trigger)

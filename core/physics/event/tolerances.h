@@ -50,6 +50,9 @@
 #define TINKER_INSTANT (8 * DBL_EPSILON)
 /* No unit; of the time: changes that follow so soon are at one instant. */
 #define TINKER_SAME_INSTANT (64 * DBL_EPSILON)
+/* No unit; of the extent: by so much a state is moved past a place where a force jumps, and by more if that is not
+ * enough. */
+#define TINKER_PAST_EDGE 1e-14
 /* No unit; of a usual step: one contact's changes that follow so soon go by turns. */
 #define TINKER_BY_TURNS 1e-5
 /* No unit; of the time: a blow that is solved exactly falls within this of its instant. */
