@@ -71,6 +71,29 @@ static void test_groove(void)
         }
 }
 
+/* Several smooth contacts hold a mass along one direction: each bears as much as any other, but for rounding, of
+ * which softened laws make 1e6 times as much. */
+static void test_even_shares(void)
+{
+    g_autoptr(GRand) random = g_rand_new_with_seed(11);
+    for (int32_t round = 0; round < 400; round++) {
+        const double mass = g_rand_double_range(random, 0.1, 10), dynamic[CASE_CONTACTS] = {0};
+        ContactCase held = {.count = g_rand_int_range(random, 2, CASE_CONTACTS + 1)};
+        TinkerContactMode modes[CASE_CONTACTS];
+        double f[CASE_WIDTH];
+        for (int32_t i = 0; i < held.count; i++) {
+            held.before[2 * i] = -9.81 * (1 + g_rand_double_range(random, -4e-16, 4e-16));
+            for (int32_t k = 0; k < held.count; k++)
+                held.delassus[2 * i * 2 * held.count + 2 * k] = 1 / mass;
+        }
+        g_assert_cmpint(contact_laws_of_modes(&held, dynamic, modes, f), ==, TINKER_CONTACT_SOLVED);
+        for (int32_t i = 0; i < held.count; i++) {
+            g_assert_cmpint(modes[i], !=, TINKER_CONTACT_OPEN);
+            g_assert_cmpfloat_with_epsilon(f[2 * i], mass * 9.81 / held.count, 1e-6 * mass);
+        }
+    }
+}
+
 /* None slides: there is a solution, whatever the bodies. Some slide: if and only if the search finds one. */
 static void test_random_modes(void)
 {
@@ -207,6 +230,7 @@ int main(int argc, char **argv)
     g_test_init(&argc, &argv, NULL);
     g_test_add_func("/contact-laws/modes/slope", test_slope);
     g_test_add_func("/contact-laws/modes/groove", test_groove);
+    g_test_add_func("/contact-laws/modes/even-shares", test_even_shares);
     g_test_add_func("/contact-laws/modes/random", test_random_modes);
     g_test_add_func("/contact-laws/modes/degenerate", test_degenerate_modes);
     g_test_add_func("/contact-laws/painleve", test_painleve);

@@ -2,6 +2,7 @@
 #include "contact-checks.h"
 
 #include <math.h>
+#include <string.h>
 
 /* A box and a mass on a rod are thrown onto a rough slope and come to rest. Both corners of the box rub, and the rod
  * may pull or push: by other tolerances the last of hundreds of events is another one, and all is held alike. */
@@ -29,8 +30,55 @@ static void test_tied_on_a_slope(void)
     }
 }
 
+/* A box that a slider guides strikes another flush and pushes it along a rough table: friction between the two may bear
+ * some of the pushed one's weight, and so much less of that rubs on the table. The motion hangs on a share that the
+ * laws leave open: the run says so, and takes the same one whatever rounding came before. The second time all is
+ * mirrored. */
+static const char guided[] =
+    CONTACT_WEIGHT "{'type': 'support', 'position': [0, 1], 'width': 0.1, 'height': 0.1, 'solid': false},"
+                   "{'type': 'disc', 'mass': 1, 'radius': 0.2, 'position': [0, 1], 'solid': false},"
+                   "{'type': 'pin', 'ends': ['Support 0', 'Disc 0']},"
+                   "{'type': 'box', 'mass': 1, 'width': 0.5, 'height': 0.2, 'position': [0, 0.5],"
+                   " 'velocity': [%.17g, 0]},"
+                   "{'type': 'support', 'position': [0, 0.5], 'width': 0.1, 'height': 0.1, 'solid': false},"
+                   "{'type': 'slider', 'ends': ['Support 1', 'Box 0']},"
+                   "{'type': 'rack', 'ends': ['Disc 0', 'Box 0'], 'radius': 0.2},"
+                   "{'type': 'torque', 'ends': ['Disc 0'], 'amplitude': %.17g, 'frequency': 4},"
+                   "{'type': 'box', 'mass': 0.6, 'width': 0.2, 'height': 0.2, 'position': [%.17g, 0.51]},"
+                   "{'type': 'support', 'position': [%.17g, 0.36], 'width': 2, 'height': 0.1,"
+                   " 'static_friction': 0.24, 'dynamic_friction': 0.2}";
+
+static PhysicsRun *run_guided(double tolerance, double side)
+{
+    g_autofree char *scene = g_strdup_printf(guided, side * 1.0, side * 1.7, side * 0.51, side * 0.8);
+    return physics_run(&(PhysicsOptions){.method = "dop853",
+                                         .tolerance = tolerance,
+                                         .duration = 1.2,
+                                         .columns = "Box 0.x, Box 0.vx, Box 1.x, Box 1.vx"},
+                       "%s", scene);
+}
+
+static void test_guided_push(void)
+{
+    static const double tolerances[] = {1e-9, 1e-10, 1e-11, 1e-12};
+    double first[4];
+    for (gsize i = 0; i < 2 * G_N_ELEMENTS(tolerances); i++) {
+        const double side = i % 2 == 0 ? 1 : -1;
+        g_autoptr(PhysicsRun) run = run_guided(tolerances[i / 2], side);
+        gboolean said = FALSE;
+        for (guint k = 0; k < run->summary->warnings->len; k++)
+            said |= strstr(g_ptr_array_index(run->summary->warnings, k), "share a load") != NULL;
+        g_assert_true(said);
+        for (gsize k = 0; i == 0 && k < G_N_ELEMENTS(first); k++)
+            first[k] = physics_last(run, k);
+        for (gsize k = 0; k < G_N_ELEMENTS(first); k++)
+            physics_assert_near("as the first time", side * physics_last(run, k), first[k], 1e-6);
+    }
+}
+
 static void add_tests(void)
 {
+    g_test_add_func("/contact-share/guided-push", test_guided_push);
     g_test_add_func("/contact-share/tied-on-a-slope", test_tied_on_a_slope);
 }
 

@@ -62,8 +62,14 @@ TinkerContactResult tinker_contact_modes(const TinkerClosedContacts *closed, Tin
     int32_t m = closed->count;
     Room room;
     if (!room_init(&room, m)) return TINKER_CONTACT_NO_MEMORY;
-    TinkerContactProblem problem = {
-        m, closed->delassus, room.offset, room.friction, closed->sliding, closed->motion, closed->bearer};
+    TinkerContactProblem problem = {m,
+                                    closed->delassus,
+                                    room.offset,
+                                    room.friction,
+                                    closed->sliding,
+                                    closed->motion,
+                                    closed->bearer,
+                                    .any = closed->any};
     for (int32_t k = 0; k < m; k++) {
         double normal = closed->acceleration[2 * k];
         room.offset[2 * k] = fabs(normal) <= closed->noise ? 0 : normal;

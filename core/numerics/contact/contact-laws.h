@@ -112,6 +112,7 @@ typedef struct {
     const TinkerContactMotion *motion;
     const int32_t *bearer; /* as in TinkerImpact */
     double *relative;      /* 2m: gets the relative accelerations with the forces found, rounding as 0; or NULL */
+    int any;               /* whether of several answers any will do, not the least */
 } TinkerClosedContacts;
 
 /* Finds what every contact does from here on, and its forces f (2m):
@@ -120,7 +121,8 @@ typedef struct {
  *     at rest: a_t = 0 and |f_t| <= static f_n, or it begins to slip against f_t = -dynamic f_n sign(a_t).
  * Whoever begins to slip rubs with its dynamic coefficient from then on: where with that it holds after all, it sticks.
  * A contact that neither presses nor parts (f_n = 0, a_n within the noise) counts as closed. Where many forces do the
- * same (a mass held twice over), any that keep the laws is taken. */
+ * same (a mass held twice over), those of least norm are taken that lie within the laws, away from their edges if they
+ * can be; of more than 24 contacts any. */
 TinkerContactResult tinker_contact_modes(const TinkerClosedContacts *closed, TinkerContactMode *modes, double *forces);
 
 /* Where tinker_contact_modes has no solution: the impulses (2m), without any approach, that end the sliding of the

@@ -13,13 +13,20 @@
 #include "numerics/contact/complementarity.h"
 #include "numerics/contact/contact-private.h"
 
+/* By how much a contact is softened: in measures of its own, so that it is the same by whatever it is scaled. */
+static double softness(const TinkerContactProblem *problem, int32_t k, double softening)
+{
+    const double *at = problem->delassus + 2 * (gsize)k * (2 * (gsize)problem->count + 1);
+    return softening * (at[0] + at[2 * (gsize)problem->count + 1]);
+}
+
 /* What unit unknowns add to v: those of entry `row` of W for p_n (with its share of p_t) and p_t of contact k. */
 static void entries(const TinkerContactProblem *problem, int32_t row, int32_t k, double softening, double *of_n,
                     double *of_t)
 {
     const double *at = problem->delassus + (gsize)row * 2 * (gsize)problem->count + 2 * k;
-    *of_n = at[0] + (row == 2 * k ? softening : 0);
-    *of_t = at[1] + (row == 2 * k + 1 ? softening : 0);
+    *of_n = at[0] + (row == 2 * k ? softness(problem, k, softening) : 0);
+    *of_t = at[1] + (row == 2 * k + 1 ? softness(problem, k, softening) : 0);
     if (!tinker_contact_grips(problem, k)) *of_n += tinker_contact_slope(problem, k, TINKER_STATE_FREE) * *of_t;
     for (int32_t i = k + 1; problem->bearer != NULL && i < problem->count; i++)
         if (problem->bearer[i] == k && !tinker_contact_grips(problem, i))
@@ -55,14 +62,25 @@ static void fill_row(const TinkerContactProblem *problem, int32_t entry, double 
     }
 }
 
+/* The least impulse that bounds the friction of a contact. */
+static double least_of(const TinkerContactProblem *problem, int32_t k)
+{
+    return problem->least != NULL ? problem->least[tinker_contact_bearer(problem, k)] : 0;
+}
+
 static double offset_of(const TinkerContactProblem *problem, int32_t i, double softening, const double *centre)
 {
-    double slips = 0; /* of those bounded by a number that slide */
+    double given = 0; /* by those bounded by a number that slide, and by what is pressed in any case */
+    for (int32_t k = 0; problem->least != NULL && k < problem->count; k++) {
+        double of_n, of_t;
+        entries(problem, i, k, softening, &of_n, &of_t);
+        given += of_n * problem->least[k];
+    }
     for (int32_t k = 0; problem->bearer != NULL && k < problem->count; k++)
         if (!tinker_contact_grips(problem, k))
-            slips += problem->delassus[(gsize)i * 2 * (gsize)problem->count + 2 * (gsize)k + 1] *
+            given += problem->delassus[(gsize)i * 2 * (gsize)problem->count + 2 * (gsize)k + 1] *
                      tinker_contact_held_slip(problem, k, TINKER_STATE_FREE);
-    return problem->offset[i] + slips - (centre != NULL ? softening * centre[i] : 0);
+    return problem->offset[i] + given - (centre != NULL ? softness(problem, i / 2, softening) * centre[i] : 0);
 }
 
 static int32_t fill(const TinkerContactProblem *problem, double softening, const double *centre, double *matrix,
@@ -86,7 +104,7 @@ static int32_t fill(const TinkerContactProblem *problem, double softening, const
         double *row = matrix + (gsize)at * (gsize)size;
         q[at] = offset_of(problem, 2 * k + 1, softening, centre);
         q[at + 1] = -q[at];
-        q[at + 2] = 0;
+        q[at + 2] = normal >= 0 ? problem->friction[k] * least_of(problem, k) : 0;
         fill_row(problem, 2 * k + 1, 1, softening, row);
         fill_row(problem, 2 * k + 1, -1, softening, row + size);
         row[at + 2] = row[size + at + 2] = 1;
@@ -111,7 +129,7 @@ gboolean tinker_contact_by_complementarity(TinkerContactWork *work, double softe
     if (tinker_lcp_solve(size, work->lcp, q, z, room) == TINKER_LCP_RAY) return FALSE;
     for (int32_t k = 0, at = 0; k < problem->count; k++) {
         const gboolean leans = tinker_contact_leans(problem, k);
-        const double normal = leans ? tinker_contact_normal(problem, work->p, k) : z[at];
+        const double normal = leans ? tinker_contact_normal(problem, work->p, k) : z[at] + least_of(problem, k);
         const double *along = z + at + !leans;
         work->p[2 * k] = leans ? 0 : normal;
         if (tinker_contact_grips(problem, k)) {

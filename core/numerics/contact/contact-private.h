@@ -19,6 +19,8 @@ typedef struct {
     const TinkerContactMotion *motion;
     const int32_t *bearer; /* m; NULL: none leans on another */
     const double *load;    /* m: of one whose bearer is -1, in place of a normal impulse; NULL: 1 */
+    const double *least;   /* m: for tinker_contact_by_complementarity(), p_n in place of 0 at least; NULL: 0 */
+    gboolean any;          /* of several answers any will do, not the least */
 } TinkerContactProblem;
 
 /* Closed contacts keep p_t = slope p_n, but where they stick. */
@@ -50,7 +52,10 @@ typedef struct {
     double unit;
     double floor;         /* what counts as meeting in every v, besides what does */
     gboolean blocked;     /* b_n < 0 where nothing moves: that contact is left out */
+    gboolean singular;    /* the last states that were tried leave some impulses open */
     double *centre;       /* 2m: of a proximal point */
+    double *kept;         /* 2m: an answer, while another one is looked for */
+    double *grip, *least; /* m: coefficients of friction, and least normal impulses, while it is */
     double *p, *v, *size; /* 2m */
     double *system;       /* 2m x 2m */
     double *right;        /* 2m */
@@ -71,9 +76,19 @@ gboolean tinker_contact_judge(TinkerContactWork *work, double tolerance, TinkerC
 /* Checks the states with the p that solves W p = -b as they have it. */
 gboolean tinker_contact_try_states(TinkerContactWork *work, double tolerance, TinkerContactState *next);
 
-/* Solves the problem as a linear complementarity problem, with softening (p - centre) added to v; centre may be NULL:
- * 0. Leaves p and state. */
+/* Takes from p what it misses by, as it was checked last: the states stay as they are. */
+void tinker_contact_correct(TinkerContactWork *work);
+
+/* By how much the impulses miss the laws, as a velocity: 0 where they keep them, whatever states they are of. */
+double tinker_contact_miss(TinkerContactWork *work);
+
+/* Solves the problem as a linear complementarity problem, with softening (p - centre) times what a contact has in W
+ * itself added to v; centre may be NULL: 0. Leaves p and state. */
 gboolean tinker_contact_by_complementarity(TinkerContactWork *work, double softening, const double *centre);
+
+/* Where the laws leave several answers: puts the least, of those that keep them to `tolerance`, in the place of the one
+ * that was found. `states` is room for m. */
+void tinker_contact_take_least(TinkerContactWork *work, double tolerance, TinkerContactState *states);
 
 /* The contact whose normal impulse bounds the friction of contact k. */
 static inline int32_t tinker_contact_bearer(const TinkerContactProblem *problem, int32_t k)

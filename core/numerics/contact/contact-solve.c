@@ -10,7 +10,7 @@
 #include "numerics/solve/power-of-two.h"
 
 /* Doubles on the stack, enough for 5 contacts. */
-#define SMALL_ROOM 1300
+#define SMALL_ROOM 1320
 
 /* Contacts whose states may all be tried. */
 #define FEW 4
@@ -108,7 +108,7 @@ static gsize room_of(int32_t m)
 {
     gsize n = (gsize)m;
     return 4 * n * n + 2 * n + n + 8 * n + 4 * n * n + 2 * n + 16 * n * n + 8 * n + (gsize)tinker_lcp_room(4 * m) +
-           4 * n + n;
+           4 * n + n + 4 * n;
 }
 
 static void set_up(TinkerContactWork *work, const TinkerContactProblem *problem, double *room)
@@ -132,6 +132,9 @@ static void set_up(TinkerContactWork *work, const TinkerContactProblem *problem,
     work->state = (TinkerContactState *)(void *)(work->order + width);
     double *load = (double *)(void *)(work->state + 2 * width); /* the states' guesses lie between */
     work->problem.load = load;
+    work->kept = load + m;
+    work->grip = work->kept + width;
+    work->least = work->grip + m;
 
     double largest = 0;
     work->blocked = FALSE;
@@ -257,30 +260,12 @@ static gboolean try_all(TinkerContactWork *work, double tolerance)
     return FALSE;
 }
 
-/* By how much the impulses miss the laws, as a velocity: 0 where they keep them, whatever states they are of. */
-static double largest_miss(TinkerContactWork *work)
-{
-    const TinkerContactProblem *problem = &work->problem;
-    const double *p = work->p, *v = work->v;
-    double most = 0;
-    tinker_contact_velocities(problem, p, work->v, work->size);
-    for (int32_t k = 0; k < problem->count; k++) {
-        const int32_t n = 2 * k, t = n + 1;
-        if (!isfinite(v[n]) || !isfinite(v[t])) return INFINITY;
-        most = fmax(most, fabs(fmin(p[n], v[n])));
-        if (!tinker_contact_grips(problem, k)) continue;
-        const double bound = problem->friction[k] * fmax(tinker_contact_normal(problem, p, k), 0);
-        most = fmax(most, fabs(p[t] - CLAMP(p[t] - v[t], -bound, bound)));
-    }
-    return most;
-}
-
 /* By pivots alone, whatever states that leads to: what hangs on rounding keeps the laws nearly. */
 static gboolean by_pivots(TinkerContactWork *work)
 {
     for (gsize i = 0; i < G_N_ELEMENTS(softest); i++) {
         if (!tinker_contact_by_complementarity(work, softest[i], NULL)) continue;
-        if (settle(work, TINKER_LOOSE) || largest_miss(work) <= TINKER_PIVOTED) return TRUE;
+        if (settle(work, TINKER_LOOSE) || tinker_contact_miss(work) <= TINKER_PIVOTED) return TRUE;
     }
     return FALSE;
 }
@@ -292,10 +277,11 @@ static TinkerContactResult solve_several(TinkerContactWork *work, TinkerContactS
     /* to rounding, else near enough: where one contact is about to do something else, a loose answer is a poor one */
     for (int32_t pass = 0; pass < 2; pass++) {
         double tolerance = pass == 0 ? TINKER_GUESS_ROUNDING : TINKER_LOOSE;
-        if (guess(work, tolerance, next)) return TINKER_CONTACT_SOLVED;
-        if (problem->count > MANY && by_sweeps(work, SWEEPS_FIRST, tolerance)) return TINKER_CONTACT_SOLVED;
-        if (by_complementarity(work, tolerance)) return TINKER_CONTACT_SOLVED;
-        if (problem->count <= FEW && try_all(work, tolerance)) return TINKER_CONTACT_SOLVED;
+        const gboolean found =
+            guess(work, tolerance, next) || (problem->count > MANY && by_sweeps(work, SWEEPS_FIRST, tolerance)) ||
+            by_complementarity(work, tolerance) || (problem->count <= FEW && try_all(work, tolerance));
+        if (found && pass == 0 && !problem->any) tinker_contact_take_least(work, tolerance, next);
+        if (found) return TINKER_CONTACT_SOLVED;
     }
     /* rods tie contacts together: velocities that contradict one another by rounding have no better answer */
     work->floor = 1;

@@ -1,6 +1,7 @@
 /* Where it is known what every contact does, the impulses solve a linear system; whether they keep the laws says what
  * the contacts should do instead. */
 #include <math.h>
+#include <string.h>
 
 #include "numerics/contact/contact-private.h"
 #include "numerics/contact/tolerances.h"
@@ -48,7 +49,8 @@ static void solve_system(TinkerContactWork *work)
             work->system[i * count + j] = entry;
         }
     }
-    tinker_pivoted_solve(count, work->system, work->right, work->order, TINKER_SMALLEST_PIVOT);
+    const int32_t rank = tinker_pivoted_solve(count, work->system, work->right, work->order, TINKER_SMALLEST_PIVOT);
+    work->singular = rank < count;
     for (int32_t i = 0; i < count; i++)
         work->p[work->unknown[i]] = work->right[i];
     for (int32_t k = 0; k < m; k++)
@@ -140,8 +142,41 @@ gboolean tinker_contact_check(TinkerContactWork *work, double tolerance, TinkerC
     return tinker_contact_judge(work, tolerance, next);
 }
 
+void tinker_contact_correct(TinkerContactWork *work)
+{
+    const int32_t width = 2 * work->problem.count;
+    const TinkerContactProblem problem = work->problem;
+    double *before = work->lcp, *missing = before + width, *none = missing + width;
+    memcpy(before, work->p, (gsize)width * sizeof *before);
+    memcpy(missing, work->v, (gsize)width * sizeof *missing);
+    memset(none, 0, (gsize)problem.count * sizeof *none);
+    work->problem.offset = missing;
+    work->problem.load = none;
+    solve_system(work);
+    work->problem = problem;
+    for (int32_t i = 0; i < width; i++)
+        work->p[i] += before[i];
+}
+
 gboolean tinker_contact_try_states(TinkerContactWork *work, double tolerance, TinkerContactState *next)
 {
     solve_system(work);
     return tinker_contact_check(work, tolerance, next);
+}
+
+double tinker_contact_miss(TinkerContactWork *work)
+{
+    const TinkerContactProblem *problem = &work->problem;
+    const double *p = work->p, *v = work->v;
+    double most = 0;
+    tinker_contact_velocities(problem, p, work->v, work->size);
+    for (int32_t k = 0; k < problem->count; k++) {
+        const int32_t n = 2 * k, t = n + 1;
+        if (!isfinite(v[n]) || !isfinite(v[t])) return INFINITY;
+        most = fmax(most, fabs(fmin(p[n], v[n])));
+        if (!tinker_contact_grips(problem, k)) continue;
+        const double bound = problem->friction[k] * fmax(tinker_contact_normal(problem, p, k), 0);
+        most = fmax(most, fabs(p[t] - CLAMP(p[t] - v[t], -bound, bound)));
+    }
+    return most;
 }

@@ -26,6 +26,10 @@
 #define TINKER_MODE_ROUNDING 1e-13
 /* No unit; of the time in which accelerations change velocities: the instant that a jam is looked at after. */
 #define TINKER_MOMENT 1e-7
+/* No unit; of what a contact has in W: so soft it is made for the least of several answers. */
+#define TINKER_SOFT 1e-6
+/* No unit; of the largest impulse: answers no further apart are one. */
+#define TINKER_SAME_ANSWER 1e-9
 /* No unit; of what meets in a velocity: a guess at what a few contacts do may miss a law by this. */
 #define TINKER_GUESS_ROUNDING 2e-14
 /* No unit; of what meets in a velocity: the like of very many: chains of many bodies gather more rounding. */

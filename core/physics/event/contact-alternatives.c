@@ -1,10 +1,15 @@
-/* Where several contacts close at once and the laws of impact differ, how the bodies would go on by each of them. */
+/* What might follow as well: where several contacts close at once and the laws of impact differ, how the bodies would
+ * go on by each of them; and where nothing determines how contacts share a load, whether another share would move them
+ * otherwise. */
+#include <glib/gi18n-lib.h>
 #include <math.h>
 #include <string.h>
 
+#include "numerics/solve/largest.h"
 #include "physics/contact/contacts.h"
 #include "physics/event/contact-change-private.h"
 #include "physics/event/tolerances.h"
+#include "physics/island/island-run.h"
 #include "physics/system/summary.h"
 
 /* Contacts of more are not compared: that costs more than the impact. */
@@ -87,4 +92,71 @@ void tinker_change_note_alternatives(TinkerContactChange *change, const TinkerIm
     for (int law = 0; law < TINKER_IMPACT_LAWS; law++)
         add_bodies(change, tinker_impact_law_names[law], after + (gsize)law * coordinates);
     warn_once(change);
+}
+
+/* Other shares ----------------------------------------------------------------------------------------------------- */
+
+static gboolean is_of_group(const TinkerContactChange *change, const TinkerContact *contact)
+{
+    return change->run->together[contact->body] == change->group;
+}
+
+/* Whether anything of the group rubs as it slides: by what presses on it. */
+static gboolean rubs(const TinkerContactChange *change)
+{
+    const TinkerContacts *contacts = change->contacts;
+    gboolean any = FALSE;
+    for (guint i = 0; i < contacts->closed->len; i++) {
+        const TinkerContact *contact = tinker_contacts_closed(contacts, i);
+        const gboolean slips =
+            contact->mode == TINKER_CONTACT_SLIP_FORWARD || contact->mode == TINKER_CONTACT_SLIP_BACKWARD;
+        any |= slips && is_of_group(change, contact) &&
+               tinker_contact_surface(contacts, contact->body, contact->plate).dynamic_friction > 0;
+    }
+    return any;
+}
+
+/* Some other share, from which the forces that do what the motion asks for differ in all that they may differ in. */
+static void disturb_share(const TinkerContactChange *change)
+{
+    const TinkerContacts *contacts = change->contacts;
+    double largest = 0;
+    for (guint i = 0; i < contacts->closed->len; i++)
+        largest = fmax(largest, fabs(tinker_contacts_closed(contacts, i)->normal));
+    for (guint i = 0; i < contacts->closed->len; i++) {
+        TinkerContact *contact = tinker_contacts_closed(contacts, i);
+        if (!is_of_group(change, contact)) continue;
+        contact->base_normal += 0.1 * (1 + i % 3) * largest;
+        if (contact->mode == TINKER_CONTACT_STICK) contact->base_friction += 0.1 * (1 + i % 2) * largest;
+    }
+}
+
+void tinker_change_note_share(TinkerContactChange *change)
+{
+    TinkerContactRun *self = change->run;
+    TinkerContacts *contacts = change->contacts;
+    const TinkerState *state = &self->run->state;
+    const int32_t size = self->run->system.system.size;
+    if (self->warned_share || !rubs(change)) return;
+    if (tinker_contact_run_look_at(self, state->t, state->q, state->v, NULL) != TINKER_OK) return;
+    const gsize bytes = contacts->closed->len * sizeof(TinkerContact);
+    g_autofree TinkerContact *kept = g_memdup2(contacts->closed->data, bytes);
+    g_autofree double *given = g_memdup2(self->force, (gsize)size * sizeof(double));
+    disturb_share(change);
+    tinker_contacts_take_shares(contacts);
+    double differ = 0;
+    if (tinker_contact_run_look_at(self, state->t, state->q, state->v, NULL) == TINKER_OK)
+        for (int32_t i = 0; i < size; i++)
+            differ = fmax(differ, fabs(self->force[i] - given[i]));
+    memcpy(contacts->closed->data, kept, bytes);
+    tinker_contacts_take_shares(contacts);
+    if (!(differ > TINKER_SAME_OUTCOME * tinker_largest(size, given))) return;
+    self->warned_share = TRUE;
+    tinker_summary_warn_of_scene(
+        &self->run->summary,
+        g_strdup_printf(
+            _("from %.6g s on the motion depends on how contacts share a load: the laws leave that open, and what "
+              "slides rubs by what presses on it; taken is the least share within the limits of sticking (what "
+              "guides or wedges a body twice does that: leave it some play, or make it smooth)"),
+            state->t));
 }

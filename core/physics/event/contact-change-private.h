@@ -184,6 +184,8 @@ void tinker_change_choose_sides(TinkerContactChange *change);
 /* Whether it passes from one side of a guide to the other, which is no event. */
 gboolean tinker_change_changes_side(const TinkerContactChange *change, const TinkerTouch *at);
 
+/* Where the motion depends on how the closed contacts of the group share their load: once for a run it is a warning. */
+void tinker_change_note_share(TinkerContactChange *change);
 /* Whether nothing determines how the closed contacts of the group share their load. */
 gboolean tinker_change_shares_load(const TinkerContactChange *change);
 /* Shares the load evenly where that keeps the laws, or evenly among bodies and among the corners of one by what presses

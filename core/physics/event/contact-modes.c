@@ -2,6 +2,8 @@
  * (contact-change.c). */
 #include <glib/gi18n-lib.h>
 #include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
 
 #include "physics/contact/contacts.h"
 #include "physics/event/contact-change-private.h"
@@ -216,6 +218,15 @@ static gboolean free_limits(const TinkerContactChange *change, const TinkerConta
     return any;
 }
 
+/* Whether shares of the load are no choice: what rows pull with is not kept as a share, and pins hold by their own. */
+static gboolean has_no_shares(const TinkerContactChange *change)
+{
+    gboolean any = FALSE;
+    for (guint i = 0; i < change->touches->len; i++)
+        any |= tinker_touch(change, i)->row >= 0 || tinker_touch_is_pin(change, i);
+    return any;
+}
+
 static TinkerContactResult ask_modes(TinkerContactChange *change, TinkerContactLaws *laws, double scale)
 {
     const gboolean struck = anything_struck(change);
@@ -229,6 +240,7 @@ static TinkerContactResult ask_modes(TinkerContactChange *change, TinkerContactL
     TinkerClosedContacts closed = {
         (int32_t)laws->count,       laws->delassus, laws->pairs, laws->sliding, laws->first, laws->second,
         TINKER_FORCE_NOISE * scale, laws->motion,   laws->bearer};
+    closed.any = has_no_shares(change);
     if (change->turns) ask_slow(change, laws);
     TinkerContactResult result = TINKER_CONTACT_NO_ACCELERATION;
     if (!change->jams) result = solve_limits(change, &closed, laws);
@@ -249,13 +261,14 @@ static TinkerContactResult ask_modes(TinkerContactChange *change, TinkerContactL
 }
 
 /* A contact whose force has just come to 0 opens, unless something presses it again; so does one that presses by
- * nothing and is to slip, where that would only be the turn of another. */
+ * nothing and is to slip, where that would only be the turn of another, and where opening was not tried just now. */
 static gboolean lets_go(const TinkerContactChange *change, const TinkerTouch *at, double force, double noise)
 {
     const TinkerTriggerKind kind = change->trigger.kind;
     const gboolean limit = kind == TINKER_TRIGGER_FORWARD || kind == TINKER_TRIGGER_BACKWARD;
     if (!tinker_change_is_trigger(change, at) || force > TINKER_LET_GO * noise) return FALSE;
-    return kind == TINKER_TRIGGER_NORMAL || (limit && change->turns);
+    return kind == TINKER_TRIGGER_NORMAL ||
+           (limit && change->turns && !tinker_contact_run_came_back(change->run, &change->trigger));
 }
 
 /* What acts on the bodies of a row besides it (N), added up: where that cancels along the row, what is left is rounding
@@ -274,6 +287,20 @@ static double acts_along(const TinkerModel *model, int32_t row)
 
 static void note_modes(TinkerContactChange *change, const TinkerContactLaws *laws, double scale)
 {
+    if (getenv("DBG")) {
+        fprintf(stderr, "trigger %d body %d plate %d row %d forced %d turns %d\n", change->trigger.kind,
+                change->trigger.body, change->trigger.plate, change->trigger.row, change->forced, change->turns);
+        for (guint i = 0; i < laws->count; i++) {
+            const TinkerTouch *at = tinker_touch(change, i);
+            fprintf(stderr,
+                    "t=%.12f touch %u body %d plate %d row %d was %d sliding %d mode %d n %.15g t %.15g pairs %.15g "
+                    "%.15g place gap %.3g vn %.3g vt %.3g noise %.3g\n",
+                    change->run->run->state.t, i, at->contact.body, at->contact.plate, at->row, at->was,
+                    laws->sliding[i], laws->modes[i], laws->answers[2 * i], laws->answers[2 * i + 1],
+                    laws->pairs[2 * i], laws->pairs[2 * i + 1], at->place.gap, at->place.normal_speed,
+                    at->place.tangential_speed, TINKER_FORCE_NOISE * scale);
+        }
+    }
     for (guint i = 0; i < laws->count; i++) {
         TinkerTouch *at = tinker_touch(change, i);
         double mass = change->model->mass[at->contact.body];
