@@ -73,7 +73,7 @@ __attribute__((target("avx2"), always_inline)) static inline Columns differences
 }
 
 __attribute__((target("avx2"), always_inline)) static inline void scatter(const int32_t *a, const int32_t *slots,
-                                                                         __m256d fx, __m256d fy, double *force)
+                                                                          __m256d fx, __m256d fy, double *force)
 {
     __m256d low = _mm256_unpacklo_pd(fx, fy), high = _mm256_unpackhi_pd(fx, fy);
     __m128d f[4] = {_mm256_castpd256_pd128(low), _mm256_castpd256_pd128(high), _mm256_extractf128_pd(low, 1),
@@ -114,8 +114,8 @@ __attribute__((target("avx2"))) static double add_forces_avx2(const TinkerMerged
         __m256d rate = _mm256_mul_pd(along, inverse);
         __m256d resistance = _mm256_mul_pd(_mm256_loadu_pd(damping + i), rate);
         __m256d stretch = _mm256_sub_pd(length, _mm256_loadu_pd(lengths + i));
-        __m256d elastic = _mm256_add_pd(_mm256_loadu_pd(tension + i),
-                                        _mm256_mul_pd(_mm256_loadu_pd(stiffness + i), stretch));
+        __m256d elastic =
+            _mm256_add_pd(_mm256_loadu_pd(tension + i), _mm256_mul_pd(_mm256_loadu_pd(stiffness + i), stretch));
         __m256d scale = _mm256_mul_pd(_mm256_add_pd(elastic, resistance), inverse);
         scatter(a + i, slots + i, _mm256_mul_pd(scale, d.x), _mm256_mul_pd(scale, d.y), force);
         if (!any_damping) continue;
