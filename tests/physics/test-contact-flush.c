@@ -39,8 +39,62 @@ static void test_central(void)
         check_central(i % 3 * 0.5, random);
 }
 
+/* A crank, at this angle at the start, that a drive turns at 6 rad/s, and how far its piston is. */
+#define CRANK    0.25
+#define COUPLER  0.85
+#define TURNING  6.0
+#define STRUCK_X 1.25
+
+static double short_of_struck(double t, const void *data)
+{
+    const double angle = *(const double *)data + TURNING * t, up = CRANK * sin(angle);
+    return STRUCK_X - 2 * 0.1 - CRANK * cos(angle) - sqrt(COUPLER * COUPLER - up * up);
+}
+
+static double piston_speed(double t, double start)
+{
+    const double angle = start + TURNING * t, up = CRANK * sin(angle);
+    return -TURNING * up * (1 + CRANK * cos(angle) / sqrt(COUPLER * COUPLER - up * up));
+}
+
+/* Its piston comes, in its slider, along the top of a smooth table that it just touches, and strikes a box while it
+ * slows down: the box goes on with its speed. Nothing can move the piston, so that its corners part from the table and
+ * close on it by rounding. */
+static void check_guided_blow(double start, double tolerance)
+{
+    const double x = CRANK * cos(start), y = CRANK * sin(start), slope = asin(-y / COUPLER);
+    const double piston = x + COUPLER * cos(slope);
+    const double met = contact_bisect(1.2 / TURNING, 2.6 / TURNING, short_of_struck, &start);
+    g_autoptr(PhysicsRun) run = physics_run(
+        &(PhysicsOptions){.method = "dop853", .tolerance = tolerance, .duration = 0.6, .columns = "Box 1.x, Box 1.vx"},
+        CONTACT_WEIGHT "{'type': 'support', 'position': [0, 0.5], 'solid': false},"
+                       "{'type': 'bar', 'length': 0.25, 'position': [%.17g, %.17g], 'orientation': %.17g},"
+                       "{'type': 'bar', 'length': 0.85, 'position': [%.17g, %.17g], 'orientation': %.17g},"
+                       "{'type': 'box', 'width': 0.2, 'height': 0.2, 'position': [%.17g, 0.5]},"
+                       "{'type': 'pin', 'ends': ['Support 0', {'block': 'Bar 0', 'at': [-0.125, 0]}]},"
+                       "{'type': 'pin', 'ends': [{'block': 'Bar 0', 'at': [0.125, 0]},"
+                       " {'block': 'Bar 1', 'at': [-0.425, 0]}]},"
+                       "{'type': 'pin', 'ends': [{'block': 'Bar 1', 'at': [0.425, 0]}, 'Box 0']},"
+                       "{'type': 'slider', 'ends': ['Support 0', 'Box 0']},"
+                       "{'type': 'drive', 'ends': ['Bar 0', 'Support 0'], 'speed': 6},"
+                       "{'type': 'support', 'position': [1.25, 0.35], 'width': 1, 'height': 0.1, " CONTACT_SMOOTH "},"
+                       "{'type': 'box', 'mass': 0.9, 'width': 0.2, 'height': 0.2, 'position': [1.25, 0.5]}",
+        x / 2, 0.5 + y / 2, start, (x + piston) / 2, 0.5 + y / 2, slope, piston);
+    const double speed = piston_speed(met, start);
+    physics_assert_near("its speed", physics_last(run, 1), speed, 1e-7);
+    physics_assert_near("its place", physics_last(run, 0), STRUCK_X + speed * (0.6 - met), 1e-7);
+}
+
+static void test_guided_blow(void)
+{
+    for (int i = 0; i <= 20; i++)
+        for (int digits = 9; digits <= 12; digits++)
+            check_guided_blow(3.6 + 0.02 * i, pow(10, -digits));
+}
+
 static void add_tests(void)
 {
+    g_test_add_func("/contact-flush/guided-blow", test_guided_blow);
     g_test_add_func("/contact-flush/central", test_central);
 }
 

@@ -109,8 +109,8 @@ TinkerContactResult tinker_contact_jam(const TinkerClosedContacts *closed, const
     int32_t m = closed->count;
     Room room;
     if (!room_init(&room, m)) return TINKER_CONTACT_NO_MEMORY;
-    TinkerContactProblem problem = {m,    closed->delassus, room.offset,   room.friction,
-                                    NULL, closed->motion,   closed->bearer};
+    TinkerContactProblem problem = {m,    closed->delassus, room.offset,    room.friction,
+                                    NULL, closed->motion,   closed->bearer, .any = TRUE};
     double fastest = 0, hardest = 0, *half = room.v;
     for (int32_t i = 0; i < 2 * m; i++) {
         fastest = MAX(fastest, fabs(velocity[i]));

@@ -75,8 +75,9 @@ typedef struct {
  * of p . (u + u') / 2 over all contacts > 0), all coefficients of restitution are taken as smaller by one common
  * factor, the largest that does not; so too where bodies wedge, so that no impulses make them rebound as much. That
  * does not apply to `least`, for which restitution may be NULL. Where the laws leave several answers, a contact by
- * itself sticks if it can. Velocities that miss what W can do by rounding are met to 1e-10 of the largest; where W is
- * so nearly singular that nothing does, to 1e-7. */
+ * itself sticks if it can, and of up to 24 the least impulses are taken, as with tinker_contact_modes. Velocities that
+ * miss what W can do by rounding are met to 1e-10 of the largest; where W is so nearly singular that nothing does, to
+ * 1e-7. */
 TinkerContactResult tinker_impact_solve(const TinkerImpact *impact, double *impulses);
 
 /* Solves the laws of impact with `least` for very many contacts, to 1e-14 of the largest velocity or as near as 500
@@ -121,8 +122,9 @@ typedef struct {
  *     at rest: a_t = 0 and |f_t| <= static f_n, or it begins to slip against f_t = -dynamic f_n sign(a_t).
  * Whoever begins to slip rubs with its dynamic coefficient from then on: where with that it holds after all, it sticks.
  * A contact that neither presses nor parts (f_n = 0, a_n within the noise) counts as closed. Where many forces do the
- * same (a mass held twice over), those of least norm are taken that lie within the laws, away from their edges if they
- * can be; of more than 24 contacts any. */
+ * same (a mass held twice over), the least are taken, the more readily a contact moves the less (norm weighted by W),
+ * that lie within the laws, away from their edges if they can be; any, of more than 24 contacts, or where `any` will
+ * do, or where they are met loosely only. */
 TinkerContactResult tinker_contact_modes(const TinkerClosedContacts *closed, TinkerContactMode *modes, double *forces);
 
 /* Where tinker_contact_modes has no solution: the impulses (2m), without any approach, that end the sliding of the

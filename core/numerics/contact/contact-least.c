@@ -18,10 +18,10 @@ static const struct {
     double friction, normal;
 } within[] = {{0.9, 0.05}, {0.99, 0.005}};
 
-/* Whether entry i of v is rounding. */
+/* Whether entry i of v is rounding, of what meets in it or of the largest velocity. */
 static gboolean is_still(const TinkerContactWork *work, int32_t i, double tolerance)
 {
-    return fabs(work->v[i]) <= tolerance * (work->size[i] + work->floor);
+    return fabs(work->v[i]) <= tolerance * (work->size[i] + 1);
 }
 
 /* Whether some of the impulses may be otherwise, as a contact that is open does not part, or one that slips holds. */

@@ -159,7 +159,7 @@ static void set_up(TinkerContactWork *work, const TinkerContactProblem *problem,
         load[k] = 1 / (work->scale[k] * work->unit);
     for (int32_t k = 0; k < problem->count; k++)
         if (is_immovable(problem, k)) {
-            work->blocked |= offset[2 * k] < 0;
+            work->blocked |= offset[2 * k] < -TINKER_STANDS_STILL;
             offset[2 * k] = 1;
         }
 }

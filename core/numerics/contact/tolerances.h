@@ -26,10 +26,9 @@
 #define TINKER_MODE_ROUNDING 1e-13
 /* No unit; of the time in which accelerations change velocities: the instant that a jam is looked at after. */
 #define TINKER_MOMENT 1e-7
-/* No unit; of what a contact has in W: so soft it is made for the least of several answers. */
+/* No unit; of what a contact has in W: so soft it is made for the least of several answers. Held by:
+ * numerics-contact-modes. */
 #define TINKER_SOFT 1e-6
-/* No unit; of the largest impulse: answers no further apart are one. */
-#define TINKER_SAME_ANSWER 1e-9
 /* No unit; of what meets in a velocity: a guess at what a few contacts do may miss a law by this. */
 #define TINKER_GUESS_ROUNDING 2e-14
 /* No unit; of what meets in a velocity: the like of very many: chains of many bodies gather more rounding. */
@@ -46,6 +45,9 @@
 #define TINKER_AT_BOUND 1e-9
 /* No unit; of W_tt: a normal direction whose W_nn is smaller is one that nothing moves along. */
 #define TINKER_IMMOVABLE 1e-13
+/* No unit; of the largest velocity: what closes more slowly along a direction that nothing moves along does not.
+ * Held by: physics-contact-flush. */
+#define TINKER_STANDS_STILL 1e-12
 /* No unit; of the largest velocity: pairs that approach more slowly strike no more in a sequence. */
 #define TINKER_SEQUENCE_STILL 1e-13
 /* No unit; of the largest velocity: smaller changes end the sweeps. */
