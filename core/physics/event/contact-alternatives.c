@@ -5,7 +5,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "numerics/solve/largest.h"
 #include "physics/contact/contacts.h"
 #include "physics/event/contact-change-private.h"
 #include "physics/event/tolerances.h"
@@ -116,19 +115,27 @@ static gboolean rubs(const TinkerContactChange *change)
     return any;
 }
 
-/* Some other share, from which the forces that do what the motion asks for differ in all that they may differ in. */
-static void disturb_share(const TinkerContactChange *change)
+/* A share to which the forces that do what the motion asks for are not the nearest, by which load and which friction
+ * any of them bears. Answers by how much that would accelerate a body by itself (m/s^2), at most. */
+static double disturb_share(const TinkerContactChange *change)
 {
     const TinkerContacts *contacts = change->contacts;
-    double largest = 0;
-    for (guint i = 0; i < contacts->closed->len; i++)
-        largest = fmax(largest, fabs(tinker_contacts_closed(contacts, i)->normal));
+    double largest = 0, most = 0, part = 0;
+    for (guint i = 0; i < contacts->closed->len; i++) {
+        const TinkerContact *contact = tinker_contacts_closed(contacts, i);
+        if (is_of_group(change, contact)) largest = fmax(largest, fabs(contact->normal));
+    }
     for (guint i = 0; i < contacts->closed->len; i++) {
         TinkerContact *contact = tinker_contacts_closed(contacts, i);
-        if (!is_of_group(change, contact)) continue;
-        contact->base_normal += 0.1 * (1 + i % 3) * largest;
-        if (contact->mode == TINKER_CONTACT_STICK) contact->base_friction += 0.1 * (1 + i % 2) * largest;
+        if (!is_of_group(change, contact) || tinker_contacts_is_pin(contacts, contact) ||
+            tinker_contacts_resists(contacts, contact))
+            continue;
+        part = fmod(part + 0.618, 1); /* no two are alike */
+        contact->base_normal += part * largest;
+        if (contact->mode == TINKER_CONTACT_STICK) contact->base_friction += (1 - part) * largest;
+        most = fmax(most, largest * change->model->inverse_mass[contact->body]);
     }
+    return most;
 }
 
 void tinker_change_note_share(TinkerContactChange *change)
@@ -142,7 +149,7 @@ void tinker_change_note_share(TinkerContactChange *change)
     const gsize bytes = contacts->closed->len * sizeof(TinkerContact);
     g_autofree TinkerContact *kept = g_memdup2(contacts->closed->data, bytes);
     g_autofree double *given = g_memdup2(self->force, (gsize)size * sizeof(double));
-    disturb_share(change);
+    const double disturbed = disturb_share(change);
     tinker_contacts_take_shares(contacts);
     double differ = 0;
     if (tinker_contact_run_look_at(self, state->t, state->q, state->v, NULL) == TINKER_OK)
@@ -150,13 +157,12 @@ void tinker_change_note_share(TinkerContactChange *change)
             differ = fmax(differ, fabs(self->force[i] - given[i]));
     memcpy(contacts->closed->data, kept, bytes);
     tinker_contacts_take_shares(contacts);
-    if (!(differ > TINKER_SAME_OUTCOME * tinker_largest(size, given))) return;
+    if (!(differ > TINKER_SHARE_MATTERS * disturbed)) return;
     self->warned_share = TRUE;
     tinker_summary_warn_of_scene(
         &self->run->summary,
-        g_strdup_printf(
-            _("from %.6g s on the motion depends on how contacts share a load: the laws leave that open, and what "
-              "slides rubs by what presses on it; taken is the least share within the limits of sticking (what "
-              "guides or wedges a body twice does that: leave it some play, or make it smooth)"),
-            state->t));
+        g_strdup_printf(_("the motion from %.6g s on is one of several: the laws leave open how contacts share a load, "
+                          "and what slides rubs by what presses on it (give what is guided or wedged some play, or "
+                          "make it smooth)"),
+                        state->t));
 }

@@ -182,7 +182,7 @@ static gboolean may_share(const TinkerContactChange *change)
 
 /* Steps 3 and 4, and what is closed from here on. A contact that reaches the limit of sticking only by its share does
  * not slip where another share holds it. */
-static gboolean settle_contacts(TinkerContactChange *change, GError **error)
+static gboolean find_contacts(TinkerContactChange *change, GError **error)
 {
     gboolean limit = change->trigger.kind == TINKER_TRIGGER_FORWARD || change->trigger.kind == TINKER_TRIGGER_BACKWARD;
     change->forced = !(limit && may_share(change));
@@ -197,6 +197,13 @@ static gboolean settle_contacts(TinkerContactChange *change, GError **error)
         return tinker_change_refuse(change, change->model->failure, error);
     if (!tinker_change_decide(change, error) || !close_contacts(change, error)) return FALSE;
     if (tinker_change_shares_load(change)) tinker_change_share_load(change);
+    return TRUE;
+}
+
+static gboolean settle_contacts(TinkerContactChange *change, GError **error)
+{
+    if (!find_contacts(change, error)) return FALSE;
+    if (tinker_change_shares_load(change)) tinker_change_note_share(change);
     return TRUE;
 }
 

@@ -2,8 +2,6 @@
  * (contact-change.c). */
 #include <glib/gi18n-lib.h>
 #include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
 
 #include "physics/contact/contacts.h"
 #include "physics/event/contact-change-private.h"
@@ -287,20 +285,6 @@ static double acts_along(const TinkerModel *model, int32_t row)
 
 static void note_modes(TinkerContactChange *change, const TinkerContactLaws *laws, double scale)
 {
-    if (getenv("DBG")) {
-        fprintf(stderr, "trigger %d body %d plate %d row %d forced %d turns %d\n", change->trigger.kind,
-                change->trigger.body, change->trigger.plate, change->trigger.row, change->forced, change->turns);
-        for (guint i = 0; i < laws->count; i++) {
-            const TinkerTouch *at = tinker_touch(change, i);
-            fprintf(stderr,
-                    "t=%.12f touch %u body %d plate %d row %d was %d sliding %d mode %d n %.15g t %.15g pairs %.15g "
-                    "%.15g place gap %.3g vn %.3g vt %.3g noise %.3g\n",
-                    change->run->run->state.t, i, at->contact.body, at->contact.plate, at->row, at->was,
-                    laws->sliding[i], laws->modes[i], laws->answers[2 * i], laws->answers[2 * i + 1],
-                    laws->pairs[2 * i], laws->pairs[2 * i + 1], at->place.gap, at->place.normal_speed,
-                    at->place.tangential_speed, TINKER_FORCE_NOISE * scale);
-        }
-    }
     for (guint i = 0; i < laws->count; i++) {
         TinkerTouch *at = tinker_touch(change, i);
         double mass = change->model->mass[at->contact.body];

@@ -238,8 +238,9 @@ gboolean tinker_contact_run_leaves(const TinkerContactRun *contact_run, const Ti
 GArray *tinker_contact_turns_new(void);
 void tinker_contact_run_note_turn(TinkerContactRun *contact_run, const TinkerTrigger *trigger);
 gboolean tinker_contact_run_goes_by_turns(const TinkerContactRun *contact_run, const TinkerTrigger *trigger);
-/* How many times more than a few the same came to its end there, and nothing followed from it: a force jumps at this
- * very place, which the state has not come to but for what dense output misses by. */
+/* How many times more than a few the contact of the trigger has come to an end of one kind within no time, so that
+ * nothing followed from it. That is where a force jumps: dense output, which found the place, misses it by a little, so
+ * that the force is not there yet in the state that is asked. */
 int tinker_contact_run_stays_at_edge(const TinkerContactRun *contact_run, const TinkerTrigger *trigger);
 /* Whether the contact of the trigger had opened at its last turn, and closed at once. */
 gboolean tinker_contact_run_came_back(const TinkerContactRun *contact_run, const TinkerTrigger *trigger);

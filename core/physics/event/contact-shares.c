@@ -302,7 +302,6 @@ static gboolean share_where_it_turns(TinkerContactChange *change)
 
 gboolean tinker_change_share_load(TinkerContactChange *change)
 {
-    tinker_change_note_share(change);
     if (try_share(change, share_evenly) || try_share(change, share_evenly_by_load)) return TRUE;
     if ((change->turns || tinker_change_repeats(change)) && share_within(change)) return TRUE;
     if (change->turns && change->trigger.row < 0 && share_where_it_turns(change)) return TRUE;

@@ -19,6 +19,7 @@ typedef struct {
     int turns;
     double time;                 /* s: of the last */
     TinkerTriggerKind kind, was; /* of the last, and of the one before */
+    int alike;                   /* how many of the last were of one kind */
 } Turns;
 
 static gboolean is_of_force(TinkerTriggerKind kind)
@@ -54,7 +55,8 @@ static gboolean stayed_closed(const TinkerContactRun *self, const TinkerTrigger 
 static void note_blow(TinkerContactRun *self, const TinkerTrigger *trigger)
 {
     const double t = self->run->state.t;
-    const Turns first = {{trigger->body, trigger->plate, trigger->row}, TRUE, 1, t, trigger->kind, TINKER_TRIGGER_NONE};
+    const Turns first = {
+        {trigger->body, trigger->plate, trigger->row}, TRUE, 1, t, trigger->kind, TINKER_TRIGGER_NONE, 1};
     Turns *turns = find(self, trigger, TRUE);
     if (turns == NULL) {
         g_array_append_val(self->turns, first);
@@ -75,7 +77,7 @@ void tinker_contact_run_note_turn(TinkerContactRun *self, const TinkerTrigger *t
         if (!g_array_index(self->turns, Turns, i).blows && t - g_array_index(self->turns, Turns, i).time > soon)
             g_array_remove_index_fast(self->turns, i);
     const Turns first = {
-        {trigger->body, trigger->plate, trigger->row}, FALSE, 1, t, trigger->kind, TINKER_TRIGGER_NONE};
+        {trigger->body, trigger->plate, trigger->row}, FALSE, 1, t, trigger->kind, TINKER_TRIGGER_NONE, 1};
     Turns *turns = find(self, trigger, FALSE);
     if (turns == NULL) {
         g_array_append_val(self->turns, first);
@@ -83,6 +85,7 @@ void tinker_contact_run_note_turn(TinkerContactRun *self, const TinkerTrigger *t
     }
     turns->turns++;
     turns->time = t;
+    turns->alike = turns->kind == trigger->kind ? turns->alike + 1 : 1;
     turns->was = turns->kind;
     turns->kind = trigger->kind;
 }
@@ -102,7 +105,7 @@ gboolean tinker_contact_run_came_back(const TinkerContactRun *self, const Tinker
 int tinker_contact_run_stays_at_edge(const TinkerContactRun *self, const TinkerTrigger *trigger)
 {
     const Turns *turns = is_of_force(trigger->kind) ? find(self, trigger, FALSE) : NULL;
-    return turns != NULL && turns->was == turns->kind ? MAX(turns->turns - FEW_TURNS, 0) : 0;
+    return turns != NULL ? MAX(turns->alike - FEW_TURNS, 0) : 0;
 }
 
 gboolean tinker_contact_run_strikes_by_turns(const TinkerContactRun *self, const TinkerTrigger *trigger)

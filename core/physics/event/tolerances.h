@@ -50,6 +50,9 @@
 #define TINKER_INSTANT (8 * DBL_EPSILON)
 /* No unit; of the time: changes that follow so soon are at one instant. */
 #define TINKER_SAME_INSTANT (64 * DBL_EPSILON)
+/* No unit; of what another share of a load would accelerate bodies by itself: the motion depends on it where it makes
+ * more of a difference. Held by: physics-contact-share. */
+#define TINKER_SHARE_MATTERS 1e-6
 /* No unit; of the extent: by so much a state is moved past a place where a force jumps, and by more if that is not
  * enough. */
 #define TINKER_PAST_EDGE 1e-14

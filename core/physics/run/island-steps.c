@@ -54,6 +54,7 @@ static gboolean open_run(TinkerIslandRun *run, double horizon, GError **error)
 {
     TinkerModel *model = run->model;
     model->evaluations = 0;
+    model->corrections = 0;
     model->lacks_memory = FALSE;
     tinker_island_run_open_state(run);
     if (!tinker_island_run_open_stepper(run, error)) return FALSE;
