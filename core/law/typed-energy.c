@@ -12,7 +12,7 @@
 #include "numerics/roots/quadrature.h"
 
 #define COUNTED_FROM  1.0    /* m: where a tension without an antiderivative stores 0 */
-#define SUM_TOLERANCE 1e-13  /* of its absolute sum */
+#define SUM_TOLERANCE 1e-11  /* of its absolute sum: below it cancellation in a law would be summed up */
 #define TRIED_LEAST   0.0625 /* m: lengths at which it has to be a number, by factors of the root of 2 */
 #define TRIED_MOST    16.0
 

@@ -10,7 +10,7 @@
  * a sample that is no number. The error is the sum of what the number changes by
  * where every second sample is left out, of what the curve may be off by between samples, of the scatter of periods and
  * decrements and what their first half differs by from the second, and of what the band about the curve makes of it.
- * Between two events with fewer than five samples between them the curve is taken as straight: what it would be off by
+ * Between two events with fewer than three samples between them the curve is taken as straight: what it would be off by
  * there if it bent as much as it does between samples elsewhere is added to the errors of mean, rms, extrema and
  * amplitude. What happens between two samples and shows in none of them is not known. */
 typedef struct {

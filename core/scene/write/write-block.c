@@ -136,7 +136,10 @@ static gboolean is_plain_number(const TinkerPropertyType *type, const char *text
 static void write_property(SceneWriter *writer, TinkerBlockId id, const TinkerBlockClass *block_class, int32_t property)
 {
     const TinkerPropertyType *type = &block_class->properties[property];
-    if ((type->flags & TINKER_REQUIRED) == 0 && !tinker_scene_property_given(writer->scene, id, property)) return;
+    const gboolean is_position = property == block_class->meanings[TINKER_MEANING_POSITION];
+    const gboolean required = (type->flags & TINKER_REQUIRED) != 0 &&
+                              !(is_position && scene_place_on(writer->scene, id) != NULL); /* which places it */
+    if (!required && !tinker_scene_property_given(writer->scene, id, property)) return;
     if (type->kind == TINKER_KIND_TEXT) {
         const char *text = tinker_scene_get_text(writer->scene, id, property);
         if ((type->flags & TINKER_TEXT_POINTS) != 0 && write_points(writer, type, text)) return;

@@ -61,6 +61,8 @@ gboolean canvas_reach_arrow(TinkerCanvas *canvas, int step)
 void canvas_reach_away(TinkerCanvas *canvas)
 {
     forget_reached(canvas);
+    canvas->points = canvas->points_at_arrow = FALSE;
+    gtk_widget_queue_draw(GTK_WIDGET(canvas));
     if (canvas->document != NULL) tinker_document_point_away(canvas->document, canvas->reached);
     canvas->reached = tinker_pointed_block(TINKER_NO_BLOCK);
 }

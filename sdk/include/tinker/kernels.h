@@ -81,17 +81,18 @@ static inline double tinker_turn_from_rest(double ax, double ay, double bx, doub
 }
 
 /* A moment (N m, counter-clockwise) on the arm from a hinge to its tip, as a pair of forces: adds M / r across the arm
- * at the tip, and the opposite at the hinge. Answers 0 where the arm has no length. */
+ * at the tip, and the opposite at the hinge. Answers 0, and adds nothing, where the arm has no length. */
 static inline int tinker_add_moment(const TinkerPoint *hinge, const TinkerPoint *tip, double moment, double *on_hinge,
                                     double *on_tip)
 {
     const double x = tip->x - hinge->x, y = tip->y - hinge->y, square = x * x + y * y;
+    if (!(square > 0.0)) return 0;
     const double across[2] = {-moment * y / square, moment * x / square};
     for (int axis = 0; axis < 2; axis++) {
         on_tip[axis] += across[axis];
         on_hinge[axis] -= across[axis];
     }
-    return square > 0.0;
+    return 1;
 }
 
 /* Distance between the two ends of every instance that has exactly two. */
