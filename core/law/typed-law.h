@@ -22,9 +22,9 @@ TinkerTypedLaw *tinker_typed_new(const TinkerBlockClass *block_class, int32_t pr
                                  void *data, GError **error);
 /* Tells each law of a block how to find what it does to energy (laws in the order of their properties; NULL: an empty
  * text). A tension that does not depend on t stores the integral of what it is at rest: by its antiderivative, or where
- * the grammar has none by a sum from 1 m on, if it is a number from 1/16 to 16 m. A force_x and a force_y store together
- * minus that of what they are at rest, where it is one of places alone and has an antiderivative; the first of them is
- * told. A potential stores what it is. */
+ * the grammar has none by a sum from 1 m on, if it is a number from 1/16 to 16 m. A force_x and a force_y store
+ * together minus that of what they are at rest, where it is one of places alone and has an antiderivative; the first of
+ * them is told. A potential stores what it is. */
 void tinker_typed_set_energies(const TinkerBlockClass *block_class, TinkerTypedLaw *const *laws);
 /* Where the units do not come out as the law's: "tension is in kg/m where N was expected: taken in SI". NULL: they do,
  * or nothing is typed. (transfer full) */
