@@ -111,20 +111,14 @@ static void drop_ripple(TinkerCurveSums *sums)
     g_array_set_size(sums->extrema, kept);
 }
 
-static double way(const GArray *extrema, guint i)
-{
-    const TinkerExtremum *all = (const TinkerExtremum *)(gconstpointer)extrema->data;
-    return fabs(all[i + 1].value - all[i].value);
-}
-
 /* Of both ends, as far as ways are not certain; each goes with the extremum at its outer end. */
 static void drop_uncertain_ends(GArray *extrema, double band)
 {
     const double least = CERTAIN * band;
-    while (extrema->len >= 2 && way(extrema, extrema->len - 2) < least)
+    while (extrema->len >= 2 && tinker_extremum_way(extrema, extrema->len - 2) < least)
         g_array_set_size(extrema, extrema->len - 1);
     guint first = 0;
-    while (first + 1 < extrema->len && way(extrema, first) < least)
+    while (first + 1 < extrema->len && tinker_extremum_way(extrema, first) < least)
         first++;
     if (first > 0) g_array_remove_range(extrema, 0, first);
 }

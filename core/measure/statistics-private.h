@@ -3,6 +3,7 @@
 #define TINKER_CORE_STATISTICS_PRIVATE_H
 
 #include <float.h>
+#include <math.h>
 
 #include "measure/curve-pieces.h"
 #include "measure/statistics.h"
@@ -14,6 +15,12 @@ typedef struct {
     double time, value;         /* s, y */
     double off_time, off_value; /* s, y */
 } TinkerExtremum;
+
+/* From extremum i to the next one. */
+static inline double tinker_extremum_way(const GArray *extrema, guint i)
+{
+    return fabs(g_array_index(extrema, TinkerExtremum, i + 1).value - g_array_index(extrema, TinkerExtremum, i).value);
+}
 
 /* What is found on the way along a curve. */
 typedef struct {

@@ -21,11 +21,6 @@ static const TinkerExtremum *at(const GArray *extrema, guint i)
     return &g_array_index(extrema, TinkerExtremum, i);
 }
 
-static double way(const GArray *extrema, guint i)
-{
-    return fabs(at(extrema, i + 1)->value - at(extrema, i)->value);
-}
-
 /* Of values y[0] ... y[count - 1] at equal distances: the slope of a line through them. */
 static double slope_of(const double *y, guint count)
 {
@@ -95,7 +90,7 @@ static TinkerStatistic half_decrement(const GArray *extrema, double *off_line)
     double squares;
     if (ways < 2) return (TinkerStatistic){NAN, NAN};
     for (guint i = 0; i < ways; i++)
-        logarithms[i] = log(way(extrema, i));
+        logarithms[i] = log(tinker_extremum_way(extrema, i));
     const double slope = slope_of(logarithms, ways);
     farthest(logarithms, ways, slope, &squares);
     if (ways == 2) return (TinkerStatistic){-slope, 0};
@@ -110,7 +105,8 @@ static TinkerStatistic half_decrement(const GArray *extrema, double *off_line)
 static double period_band(const GArray *extrema, double period, double band)
 {
     const guint spans = extrema->len - 1;
-    return 2 * band * period / G_PI * (1 / way(extrema, 0) + 1 / way(extrema, spans - 1)) / spans;
+    return 2 * band * period / G_PI *
+           (1 / tinker_extremum_way(extrema, 0) + 1 / tinker_extremum_way(extrema, spans - 1)) / spans;
 }
 
 /* Both ends of a way may be off, and the slope of the line through the logarithms is a sum of them with weights. */
@@ -120,7 +116,7 @@ static double half_decrement_band(const GArray *extrema, double band)
     double sum = 0, weight = 0;
     for (guint i = 0; i < ways; i++) {
         const double x = i - 0.5 * (ways - 1), off = at(extrema, i)->off_value + at(extrema, i + 1)->off_value;
-        sum += fabs(x) * (2 * band + off) / way(extrema, i);
+        sum += fabs(x) * (2 * band + off) / tinker_extremum_way(extrema, i);
         weight += x * x;
     }
     return sum / weight;
@@ -149,7 +145,7 @@ static gboolean goes_one_way(const GArray *extrema, double band)
         double least = INFINITY, greatest = -INFINITY;
         for (guint i = side; i + 1 < extrema->len; i += 2) {
             const double open = 2 * (at(extrema, i)->off_value + at(extrema, i + 1)->off_value) + off;
-            const double length = way(extrema, i);
+            const double length = tinker_extremum_way(extrema, i);
             longest = fmax(longest, length);
             up = fmax(up, length - least - open);
             down = fmax(down, greatest - length - open);

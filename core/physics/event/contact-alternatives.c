@@ -101,7 +101,7 @@ static gboolean is_of_group(const TinkerContactChange *change, const TinkerConta
 }
 
 /* Whether anything of the group rubs as it slides: by what presses on it. */
-static gboolean rubs(const TinkerContactChange *change)
+static gboolean group_rubs(const TinkerContactChange *change)
 {
     const TinkerContacts *contacts = change->contacts;
     gboolean any = FALSE;
@@ -144,7 +144,7 @@ void tinker_change_note_share(TinkerContactChange *change)
     TinkerContacts *contacts = change->contacts;
     const TinkerState *state = &self->run->state;
     const int32_t size = self->run->system.system.size;
-    if (self->warned_share || !rubs(change)) return;
+    if (self->warned_share || !group_rubs(change)) return;
     if (tinker_contact_run_look_at(self, state->t, state->q, state->v, NULL) != TINKER_OK) return;
     const gsize bytes = contacts->closed->len * sizeof(TinkerContact);
     g_autofree TinkerContact *kept = g_memdup2(contacts->closed->data, bytes);

@@ -52,14 +52,24 @@ static gboolean stayed_closed(const TinkerContactRun *self, const TinkerTrigger 
            passed * fabs(place.normal_speed) <= tinker_contact_run_closed_gap(self);
 }
 
+static void append_first(TinkerContactRun *self, const TinkerTrigger *trigger, gboolean blows)
+{
+    const Turns first = {.pair = {trigger->body, trigger->plate, trigger->row},
+                         .blows = blows,
+                         .turns = 1,
+                         .time = self->run->state.t,
+                         .kind = trigger->kind,
+                         .was = TINKER_TRIGGER_NONE,
+                         .alike = 1};
+    g_array_append_val(self->turns, first);
+}
+
 static void note_blow(TinkerContactRun *self, const TinkerTrigger *trigger)
 {
     const double t = self->run->state.t;
-    const Turns first = {
-        {trigger->body, trigger->plate, trigger->row}, TRUE, 1, t, trigger->kind, TINKER_TRIGGER_NONE, 1};
     Turns *turns = find(self, trigger, TRUE);
     if (turns == NULL) {
-        g_array_append_val(self->turns, first);
+        append_first(self, trigger, TRUE);
         return;
     }
     turns->turns = stayed_closed(self, trigger, t - turns->time) ? turns->turns + 1 : 1;
@@ -76,11 +86,9 @@ void tinker_contact_run_note_turn(TinkerContactRun *self, const TinkerTrigger *t
     for (guint i = self->turns->len; i-- > 0;)
         if (!g_array_index(self->turns, Turns, i).blows && t - g_array_index(self->turns, Turns, i).time > soon)
             g_array_remove_index_fast(self->turns, i);
-    const Turns first = {
-        {trigger->body, trigger->plate, trigger->row}, FALSE, 1, t, trigger->kind, TINKER_TRIGGER_NONE, 1};
     Turns *turns = find(self, trigger, FALSE);
     if (turns == NULL) {
-        g_array_append_val(self->turns, first);
+        append_first(self, trigger, FALSE);
         return;
     }
     turns->turns++;

@@ -90,16 +90,20 @@ def test_table_over_the_curve_is_drawn(display):
         app.click("Close", inside=app.find(None, "Statistics"))
 
 
+def keep_and_go_faster(app):
+    app.press("ctrl+k")
+    app.find_text("Kept as “Run 1”")
+    app.click_block("Ball")
+    app.enter("Initial Velocity", "Vx", "2")
+    run(app, 0.5)
+
+
 def test_eight_runs_and_their_ghosts(display):
     """The ninth says what to do; a ghost is seen where its own run is, half a metre behind, and goes with it."""
     with App(display, sliding(width=8)) as app:
         app.show_width()
         run(app, 0.5)
-        app.press("ctrl+k")
-        app.find_text("Kept as “Run 1”")
-        app.click_block("Ball")
-        app.enter("Initial Velocity", "Vx", "2")
-        run(app, 0.5)
+        keep_and_go_faster(app)
         app.xdotool("mousemove", 5, 5)
         behind = -2, -0.5, -1.5, 0.5  # what the ghost covers alone: it is at -1.5, the body at -1, 0.4 to each side
         ghost = app.still_picture(*behind)
@@ -121,11 +125,7 @@ def test_kept_runs_are_exported(display):
     """Each has columns of its own beside the present run's, named by what was changed."""
     with App(display, sliding()) as app:
         run(app, 0.5)
-        app.press("ctrl+k")
-        app.find_text("Kept as “Run 1”")
-        app.click_block("Ball")
-        app.enter("Initial Velocity", "Vx", "2")
-        run(app, 0.5)
+        keep_and_go_faster(app)
         app.click(graph(app), button=3)
         app.choose("Export Values To File…")
         file = app.home / "runs.csv"

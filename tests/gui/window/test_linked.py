@@ -160,18 +160,26 @@ def test_books_light_the_arrows_of_a_block(display):
             scan(app, watched, seen(app, books), {faded})
 
 
+def two_in_a_graph():
+    graph = {"curves": [{"block": name, "quantity": "x"} for name in ("Bob", "Tom")]}
+    return scene(mass("Bob", 0, 1), mass("Tom", 3, 1), spring("Spring", "Bob", "Tom", stiffness=5, rest_length=3),
+                 duration=1, graphs=[graph])
+
+
+def watch_two(app):
+    """Runs to the end; the equations of both, and where their graph is."""
+    app.activate("play")
+    wait(lambda: app.time() == 1 and not app.is_playing(), "the end")
+    app.show_width()
+    app.click("Equations", role="tab")
+    watched = Watched(app, **{name: part_of(app, re.compile(f"^{name}: m.* x.* equals$")) for name in ("Bob", "Tom")})
+    return watched, app.box(app.find(None, re.compile("^Graph of ")))
+
+
 def test_curve_lights_its_block(display):
     """Of two curves in one graph each lights up the equation of its own, and fades the other."""
-    graph = {"curves": [{"block": name, "quantity": "x"} for name in ("Bob", "Tom")]}
-    content = scene(mass("Bob", 0, 1), mass("Tom", 3, 1), spring("Spring", "Bob", "Tom", stiffness=5, rest_length=3),
-                    duration=1, graphs=[graph])
-    with App(display, content) as app:
-        app.activate("play")
-        wait(lambda: app.time() == 1 and not app.is_playing(), "the end")
-        app.show_width()
-        app.click("Equations", role="tab")
-        watched = Watched(app, **{name: part_of(app, re.compile(f"^{name}: m.* x.* equals$")) for name in ("Bob", "Tom")})
-        box = app.box(app.find(None, re.compile("^Graph of ")))
+    with App(display, two_in_a_graph()) as app:
+        watched, box = watch_two(app)
         for name in ("Tom", "Bob"):
             scan(app, watched, box, {name})
 
@@ -207,16 +215,8 @@ def test_keys_on_the_canvas_light_terms(display):
 
 
 def test_keys_in_a_graph_light_the_block_of_a_curve(display):
-    graph = {"curves": [{"block": name, "quantity": "x"} for name in ("Bob", "Tom")]}
-    content = scene(mass("Bob", 0, 1), mass("Tom", 3, 1), spring("Spring", "Bob", "Tom", stiffness=5, rest_length=3),
-                    duration=1, graphs=[graph])
-    with App(display, content) as app:
-        app.activate("play")
-        wait(lambda: app.time() == 1 and not app.is_playing(), "the end")
-        app.show_width()
-        app.click("Equations", role="tab")
-        watched = Watched(app, **{name: part_of(app, re.compile(f"^{name}: m.* x.* equals$")) for name in ("Bob", "Tom")})
-        box = app.box(app.find(None, re.compile("^Graph of ")))
+    with App(display, two_in_a_graph()) as app:
+        watched, box = watch_two(app)
         app._click_at(box[0] + 30, box[1] + 8)
         app.xdotool("mousemove", *app.at(*NOWHERE))
         for key, name in (("Next", "Bob"), ("Next", "Tom"), ("Prior", "Bob")):
