@@ -160,12 +160,18 @@ static gboolean tinker_application_local_command_line(GApplication *base, char *
 
 /* Life ------------------------------------------------------------------------------------------------------------- */
 
+/* An icon of each size is drawn for it, which the first frame does not wait for. */
+static void set_icon(gpointer nothing)
+{
+    gtk_window_set_default_icon_name(TINKER_APPLICATION_ID);
+}
+
 static void tinker_application_startup(GApplication *base)
 {
     G_APPLICATION_CLASS(tinker_application_parent_class)->startup(base);
     g_action_map_add_action_entries(G_ACTION_MAP(base), actions, G_N_ELEMENTS(actions), base);
     add_style_action(base);
-    gtk_window_set_default_icon_name(TINKER_APPLICATION_ID);
+    g_idle_add_once(set_icon, NULL);
     tinker_window_set_accels(GTK_APPLICATION(base));
     tinker_recovery_note_crashes();
 }

@@ -67,8 +67,10 @@ void tinker_equation_list_show_values(GtkWidget *box, const TinkerModelState *st
 
 static void append_terms(GString *text, const GArray *terms)
 {
-    for (guint i = 0; i < terms->len; i++)
-        g_string_append(text, g_array_index(terms, TinkerLineTerm, i).text);
+    for (guint i = 0; i < terms->len; i++) {
+        const TinkerLineTerm *term = &g_array_index(terms, TinkerLineTerm, i);
+        g_string_append_printf(text, "%d %s", term->block, term->text);
+    }
 }
 
 /* The next line behind number `at` that has values of its own; NULL: none. */
@@ -99,7 +101,7 @@ char *tinker_equation_lines_written(const GPtrArray *lines)
     for (guint i = 0; i < lines->len; i++) {
         const TinkerEquationLine *line = g_ptr_array_index(lines, i);
         if (line->heading != NULL || is_value(line)) continue;
-        g_string_append(text, line->left);
+        g_string_append_printf(text, "%d %s", line->block, line->left);
         if (line->left_terms != NULL) append_terms(text, line->left_terms);
         for (guint k = 0; line->matrix != NULL && k < line->matrix->cells->len; k++)
             append_terms(text, g_ptr_array_index(line->matrix->cells, k));

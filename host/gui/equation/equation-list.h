@@ -19,7 +19,8 @@ void tinker_equation_list_add(GtkWidget *box, TinkerDocument *document, const Ti
 void tinker_equation_list_show_values(GtkWidget *box, const TinkerModelState *state, TinkerUnitSystem units,
                                       gboolean tell);
 
-/* All equations as one text, without the values below them: of another text they are others. (transfer full) */
+/* All equations and the blocks in them as one text, without the values below them: of another text they are others.
+ * (transfer full) */
 char *tinker_equation_lines_written(const GPtrArray *lines);
 
 /* The values of terms that have them, of lines as they are now; NULL: none are shown. */

@@ -5,6 +5,7 @@
 
 #include "common/diagram/diagram-picture.h"
 #include "gui/equation/equation-matrix.h"
+#include "gui/widget/tooltip.h"
 #include "gui/widget/unparent.h"
 
 #define LINE_GAP 4
@@ -249,7 +250,7 @@ static void tell_kind(GtkWidget *term, TinkerTermKind kind)
     if (name == NULL || (kind != TINKER_TERM_NORMAL && kind != TINKER_TERM_FRICTION)) return;
     g_autofree char *text =
         g_strdup_printf(kind == TINKER_TERM_NORMAL ? _("%s: normal force N") : _("%s: friction f"), name);
-    gtk_widget_set_tooltip_text(term, text);
+    tinker_widget_begin_tooltip(term, text);
 }
 
 /* Of a body's equation the force on it; of a law all that comes from its block. */

@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "gui/widget/tooltip.h"
 #include "render/formula/formula.h"
 
 #define SIZE        17.0 /* of letters, px */
@@ -166,7 +167,7 @@ GtkWidget *tinker_equation_term_new(TinkerDocument *document, TinkerPointed what
     if (term->formula != NULL) tinker_math_text_measure(term->formula, &term->width, &term->above, &term->below);
     gtk_accessible_update_property(GTK_ACCESSIBLE(term), GTK_ACCESSIBLE_PROPERTY_LABEL, label, -1);
     if (name != NULL) {
-        gtk_widget_set_tooltip_text(GTK_WIDGET(term), name);
+        tinker_widget_begin_tooltip(GTK_WIDGET(term), name);
         add_input(term);
     }
     return GTK_WIDGET(term);

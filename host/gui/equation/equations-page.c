@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "equations/write/lines.h"
+#include "gui/equation/equation-fill.h"
 #include "gui/equation/equation-list.h"
 #include "gui/equation/model-picture.h"
 #include "gui/text/sentence.h"
@@ -20,11 +21,12 @@ struct _TinkerEquationsPage {
     TinkerDocument *document;
     TinkerPlayer *player;
     TinkerModelTask *task;
+    TinkerEquationFill *fill;
     GtkWidget *rows, *rest; /* what bodies do, and what the symbols stand for */
     char *written;          /* the equations in the rows, as one text; NULL: there are none */
     gboolean is_behind;     /* the rest is of an earlier result */
     char *why_newton;       /* in place of another form; NULL: they were asked for */
-    GtkWidget *forms, *values, *moment, *diagram_heading, *diagram, *books_heading, *books;
+    GtkWidget *forms, *values, *moment, *hint, *diagram_heading, *diagram, *books_heading, *books;
 };
 
 G_DEFINE_FINAL_TYPE(TinkerEquationsPage, tinker_equations_page, GTK_TYPE_WIDGET)
@@ -86,34 +88,54 @@ static void update_values(TinkerEquationsPage *page)
 
 static void clear_rows(TinkerEquationsPage *page)
 {
+    tinker_equation_fill_stop(page->fill);
     tinker_unparent_children(page->rows);
     tinker_unparent_children(page->rest);
     g_clear_pointer(&page->written, g_free);
 }
 
-/* Widgets are made anew where the equations have become others; while it plays, for nothing else. */
+/* Of Newton's equations those of bodies: below them stands what the symbols in them are. */
+static guint count_rows(TinkerEquationsPage *page, const GPtrArray *lines)
+{
+    for (guint i = 0; form_of(page) == NEWTON && i + 1 < lines->len; i++) {
+        const TinkerEquationLine *line = g_ptr_array_index(lines, i), *next = g_ptr_array_index(lines, i + 1);
+        if (line->heading != NULL && next->component < 0) return i;
+    }
+    return lines->len;
+}
+
+static gboolean on_filled(gpointer page)
+{
+    update_values(page);
+    return G_SOURCE_REMOVE;
+}
+
+/* Rows are made anew where the equations have become others, and what stands below them unless it plays. */
 static void show_rows(TinkerEquationsPage *page, const TinkerModelResult *result)
 {
     g_autoptr(GPtrArray) shown = lines_of(page, result, TINKER_TYPESET_MATHML);
     g_autofree char *written = tinker_equation_lines_written(shown);
-    page->is_behind = is_playing(page) && page->why_newton == NULL && g_strcmp0(written, page->written) == 0;
+    const gboolean same = page->why_newton == NULL && g_strcmp0(written, page->written) == 0 &&
+                          !tinker_equation_fill_is_going(page->fill);
+    page->is_behind = same && is_playing(page);
     if (page->is_behind) return;
     g_autoptr(GPtrArray) spoken = lines_of(page, result, TINKER_TYPESET_SPEECH);
-    GtkWidget *box = page->rows;
-    clear_rows(page);
-    page->written = g_steal_pointer(&written);
-    if (page->why_newton != NULL) tinker_equation_list_add_text(page->rows, page->why_newton, "dim-label");
-    g_clear_pointer(&page->why_newton, g_free);
-    for (guint i = 0; i < shown->len; i++) {
-        const TinkerEquationLine *next = i + 1 < shown->len ? g_ptr_array_index(shown, i + 1) : NULL;
-        const TinkerEquationLine *line = g_ptr_array_index(shown, i);
-        if (form_of(page) == NEWTON && line->heading != NULL && next != NULL && next->component < 0) box = page->rest;
-        tinker_equation_list_add(box, page->document, line, g_ptr_array_index(spoken, i));
+    guint row_count = count_rows(page, shown);
+    if (same) {
+        g_ptr_array_remove_range(shown, 0, row_count);
+        g_ptr_array_remove_range(spoken, 0, row_count);
+        row_count = 0;
+        tinker_unparent_children(page->rest);
+    } else {
+        clear_rows(page);
+        page->written = g_steal_pointer(&written);
+        if (page->why_newton != NULL) tinker_equation_list_add_text(page->rows, page->why_newton, "dim-label");
+        g_clear_pointer(&page->why_newton, g_free);
+        if (shown->len == 0)
+            tinker_equation_list_add_text(page->rows, _("Nothing in this scene can move."), "dim-label");
     }
-    if (shown->len == 0) tinker_equation_list_add_text(page->rows, _("Nothing in this scene can move."), "dim-label");
-    if (result->bodies[0] == TINKER_NO_BLOCK && result->equations->bodies->len > 0)
-        tinker_equation_list_add_text(
-            page->rows, _("Select bodies to see theirs alone, with a free-body diagram and books."), "dim-label");
+    tinker_equation_fill_start(page->fill, page->rows, page->rest, row_count, g_steal_pointer(&shown),
+                               g_steal_pointer(&spoken));
 }
 
 /* Whether the form that is chosen has an equation. */
@@ -154,6 +176,8 @@ static void show_moment(TinkerEquationsPage *page, const TinkerModelResult *resu
 static void show_pictures(TinkerEquationsPage *page, const TinkerModelResult *result)
 {
     const gboolean has_body = result != NULL && result->equations != NULL && result->bodies[0] != TINKER_NO_BLOCK;
+    gtk_widget_set_visible(page->hint, result != NULL && result->equations != NULL && !has_body &&
+                                           result->equations->bodies->len > 0);
     gtk_widget_set_visible(page->diagram, has_body);
     gtk_widget_set_visible(page->diagram_heading, has_body);
     gtk_widget_set_visible(page->books, has_body && result->books != NULL);
@@ -229,7 +253,7 @@ static void tinker_equations_page_unmap(GtkWidget *widget)
 
 gboolean tinker_equations_page_is_behind(TinkerEquationsPage *page)
 {
-    return tinker_model_task_is_due(page->task);
+    return tinker_model_task_is_due(page->task) || tinker_equation_fill_is_going(page->fill);
 }
 
 /* Life ------------------------------------------------------------------------------------------------------------- */
@@ -281,6 +305,10 @@ static GtkWidget *add_heading(TinkerEquationsPage *page, const char *text)
 
 static void add_results(TinkerEquationsPage *page)
 {
+    page->hint =
+        tinker_equation_label(_("Select bodies to see theirs alone, with a free-body diagram and books."), "dim-label");
+    gtk_widget_set_visible(page->hint, FALSE);
+    gtk_widget_set_parent(page->hint, GTK_WIDGET(page));
     page->diagram_heading = add_heading(page, _("Diagram"));
     page->diagram = tinker_model_diagram_new(page->document, page->task);
     gtk_widget_set_parent(page->diagram, GTK_WIDGET(page));
@@ -297,6 +325,7 @@ GtkWidget *tinker_equations_page_new(TinkerDocument *document, TinkerPlayer *pla
     page->document = g_object_ref(document);
     page->player = g_object_ref(player);
     page->task = tinker_model_task_new(document, player);
+    page->fill = tinker_equation_fill_new(document, on_filled, page);
     add_results(page);
     g_signal_connect_object(page->task, "changed", G_CALLBACK(on_task_changed), page, G_CONNECT_SWAPPED);
     g_signal_connect_object(player, "state-changed", G_CALLBACK(on_state_changed), page, G_CONNECT_SWAPPED);
@@ -310,6 +339,7 @@ static void tinker_equations_page_dispose(GObject *object)
     page->rows = NULL;
     g_clear_pointer(&page->why_newton, g_free);
     g_clear_pointer(&page->written, g_free);
+    g_clear_pointer(&page->fill, tinker_equation_fill_free);
     g_clear_object(&page->task);
     g_clear_object(&page->player);
     g_clear_object(&page->document);

@@ -2,6 +2,7 @@
 #include "gui/gallery/example-button.h"
 
 #include "gui/text/translate.h"
+#include "gui/widget/tooltip.h"
 
 GtkWidget *tinker_example_button_new(const TinkerExample *example, TinkerExamplePictures *pictures)
 {
@@ -26,7 +27,7 @@ GtkWidget *tinker_example_button_new(const TinkerExample *example, TinkerExample
     gtk_button_set_child(GTK_BUTTON(button), box);
     gtk_widget_add_css_class(button, "flat");
     gtk_widget_add_css_class(button, "welcome-example");
-    gtk_widget_set_tooltip_text(button, tinker_translate(example->description));
+    tinker_widget_begin_tooltip(button, tinker_translate(example->description));
     gtk_accessible_update_property(GTK_ACCESSIBLE(button), GTK_ACCESSIBLE_PROPERTY_LABEL, title, -1);
     tinker_example_pictures_add(pictures, picture, example->path);
     return button;

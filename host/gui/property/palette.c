@@ -10,6 +10,7 @@
 #include "gui/text/translate.h"
 #include "gui/text/word-search.h"
 #include "gui/widget/desktop-theme.h"
+#include "gui/widget/tooltip.h"
 #include "gui/widget/unparent.h"
 #include "law/law-text.h"
 
@@ -132,8 +133,8 @@ static GtkWidget *icon_of(Item *item)
     return icon;
 }
 
-/* What it does and its law, below its name where that is not seen. */
-static void show_tooltip(const Item *item, gboolean named)
+/* What it does and its law, below its name where that is not seen; NULL: nothing is known. (transfer full) */
+static char *tooltip_of(const Item *item, gboolean named)
 {
     const TinkerBlockType *type = item->block_class->type;
     g_autoptr(GString) text = g_string_new(named ? tinker_translate(type->title) : NULL);
@@ -143,7 +144,7 @@ static void show_tooltip(const Item *item, gboolean named)
     for (char **line = law; *line != NULL; line++)
         g_string_append_printf(text, "%s%s", text->len > 0 ? "\n" : "", *line);
     if (type->summary != NULL) g_string_append_printf(text, "\n%s", _("Click or drag it onto the canvas."));
-    gtk_widget_set_tooltip_text(item->button, text->len > 0 ? text->str : NULL);
+    return text->len > 0 ? g_strdup(text->str) : NULL;
 }
 
 static GtkWidget *button_of(TinkerPalette *palette, const TinkerBlockClass *block_class)
@@ -165,7 +166,8 @@ static GtkWidget *button_of(TinkerPalette *palette, const TinkerBlockClass *bloc
     gtk_box_append(GTK_BOX(row), item->label);
     gtk_button_set_child(GTK_BUTTON(item->button), row);
     gtk_widget_add_css_class(item->button, "flat");
-    show_tooltip(item, FALSE);
+    g_autofree char *tooltip = tooltip_of(item, FALSE);
+    tinker_widget_begin_tooltip(item->button, tooltip);
     gtk_accessible_update_property(GTK_ACCESSIBLE(item->button), GTK_ACCESSIBLE_PROPERTY_LABEL, title, -1);
     g_object_set_data_full(G_OBJECT(item->button), "item", item, item_free);
     g_signal_connect_swapped(item->button, "clicked", G_CALLBACK(on_clicked), item);
@@ -287,7 +289,8 @@ void tinker_palette_set_compact(TinkerPalette *palette, gboolean compact)
         const Item *item = item_of(child);
         if (item == NULL) continue;
         gtk_widget_set_visible(item->label, !compact);
-        show_tooltip(item, compact);
+        g_autofree char *tooltip = tooltip_of(item, compact);
+        gtk_widget_set_tooltip_text(item->button, tooltip);
     }
     on_searched(palette);
 }

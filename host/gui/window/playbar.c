@@ -7,6 +7,7 @@
 
 #include "gui/property/property-rows.h"
 #include "gui/widget/entry-select.h"
+#include "gui/widget/tooltip.h"
 #include "gui/widget/unparent.h"
 
 #define SLOW_PACE  0.95 /* below it, the run is said to be slower than its playback */
@@ -189,7 +190,7 @@ static GtkWidget *add_button(GtkWidget *box, const char *icon, const char *label
     GtkWidget *button = gtk_button_new_from_icon_name(icon);
     gtk_widget_add_css_class(button, "flat");
     gtk_widget_add_css_class(button, "circular");
-    gtk_widget_set_tooltip_text(button, label);
+    tinker_widget_begin_tooltip(button, label);
     gtk_accessible_update_property(GTK_ACCESSIBLE(button), GTK_ACCESSIBLE_PROPERTY_LABEL, label, -1);
     gtk_actionable_set_action_name(GTK_ACTIONABLE(button), action);
     gtk_box_append(GTK_BOX(box), button);
