@@ -4,6 +4,8 @@
 
 #include <math.h>
 
+#define SHAKEN_SAMPLES 2000 /* forty to a swing of the fast one: of too few a run warns */
+
 /* A support at u(t) along the vertical; theta from the downward vertical: L theta'' = -(g + u'') sin theta. */
 typedef struct {
     double length, gravity, amplitude, rate;
@@ -21,7 +23,7 @@ static void check_shaken(const Shaken *s, double theta, double duration, int ste
 {
     g_autoptr(PhysicsRun) run = physics_run(
         &(PhysicsOptions){.duration = duration,
-                          .interval = duration / 20,
+                          .interval = duration / SHAKEN_SAMPLES,
                           .columns = "Mass 0.x, Mass 0.y, Mass 0.vx, Mass 0.vy, Rod 0.tension"},
         "{'type': 'support', 'solid': false}, {'type': 'gravity', 'acceleration': %.17g},"
         "{'type': 'mass', 'position': [%.17g, %.17g], 'velocity': [0, %.17g]},"
@@ -33,7 +35,7 @@ static void check_shaken(const Shaken *s, double theta, double duration, int ste
     double y[2] = {theta, 0};
     for (gsize i = 1; i < physics_samples(run); i++) {
         double t = physics_time(run, i), up = s->amplitude * sin(s->rate * t), speed = s->amplitude * s->rate;
-        physics_rk4(2, y, physics_time(run, i - 1), t, steps / 20, shaken_rate, s);
+        physics_rk4(2, y, physics_time(run, i - 1), t, steps / SHAKEN_SAMPLES, shaken_rate, s);
         double c = cos(y[0]), n = sin(y[0]), acceleration = -up * s->rate * s->rate;
         physics_assert_near("x", physics_value(run, i, 0), s->length * n, bound);
         physics_assert_near("y", physics_value(run, i, 1), up - s->length * c, bound);

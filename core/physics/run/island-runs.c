@@ -10,6 +10,7 @@
 #include "physics/run/island-runs.h"
 #include "physics/run/island-samples.h"
 #include "physics/run/island-steps.h"
+#include "physics/run/sample-watch.h"
 #include "physics/system/summary.h"
 
 /* Between two looks at whether the user has had enough: steps, each counted once for every body that it moves, so that
@@ -139,8 +140,11 @@ static gboolean follow_paths(TinkerIslandRuns *self, guint number, double t, GEr
 gboolean tinker_island_runs_step(TinkerIslandRuns *self, guint number, GError **error)
 {
     TinkerIslandRun *run = g_ptr_array_index(self->runs, number);
-    if (!follow_paths(self, number, run->state.t, error)) return FALSE;
-    return tinker_island_run_step(run, steps_end(self, run->state.t), error) && call_back(self, run, error);
+    const double from = run->state.t;
+    if (!follow_paths(self, number, from, error)) return FALSE;
+    if (!tinker_island_run_step(run, steps_end(self, from), error)) return FALSE;
+    if (self->samples != NULL) tinker_sample_watch_step(self->samples, number, from);
+    return call_back(self, run, error);
 }
 
 static gboolean follow(TinkerIslandRuns *self, guint number, double t, GError **error)

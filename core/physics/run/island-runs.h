@@ -12,6 +12,8 @@
 #include "physics/run/island-steps.h"
 #include "physics/system/summary.h"
 
+typedef struct _TinkerSampleWatch TinkerSampleWatch;
+
 typedef struct {
     TinkerModel *model; /* the whole */
     TinkerRunOptions options;
@@ -33,6 +35,7 @@ typedef struct {
      * FALSE stops. */
     gboolean (*follow)(void *follower, guint island, double t, GError **error);
     void *follower;
+    TinkerSampleWatch *samples; /* NULL: nobody asks whether samples show the motion */
     TinkerSummary summary;
 } TinkerIslandRuns;
 

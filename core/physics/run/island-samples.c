@@ -22,24 +22,32 @@ static void collect_orientations(TinkerIslandRuns *self, const TinkerIslandRun *
                                                               : tinker_contact_run_orientation(run->contacts, i, t);
 }
 
+int32_t tinker_island_runs_coordinate(const TinkerIslandRuns *self, const TinkerIslandRun *run, int32_t coordinate)
+{
+    const TinkerModel *part = run->model;
+    if (part == self->model) return coordinate;
+    if (coordinate < 2 * part->bodies) return 2 * run->island->body_of[coordinate / 2] + coordinate % 2;
+    return tinker_model_turn_of(self->model, run->island->body_of[tinker_model_moved_by(part, coordinate)]);
+}
+
+void tinker_island_runs_spread(const TinkerIslandRuns *self, const TinkerIslandRun *run, const double *part_q,
+                               const double *part_v, double *q, double *v)
+{
+    const TinkerModel *whole = self->model, *part = run->model;
+    const double shift[2] = {part->origin[0] - whole->origin[0], part->origin[1] - whole->origin[1]};
+    for (int32_t i = 0; i < part->coordinates; i++) {
+        const int32_t at = tinker_island_runs_coordinate(self, run, i);
+        q[at] = i < 2 * part->bodies ? part_q[i] + shift[i % 2] : part_q[i];
+        v[at] = part_v[i];
+    }
+}
+
 /* Where the bodies of one island are at t, among all. */
 static TinkerStatus collect_states(TinkerIslandRuns *self, TinkerIslandRun *run, double t)
 {
-    const TinkerModel *whole = self->model, *part = run->model;
-    if (part == whole) return tinker_island_run_state_at(run, t, self->sample_q, self->sample_v);
+    if (run->model == self->model) return tinker_island_run_state_at(run, t, self->sample_q, self->sample_v);
     TinkerStatus status = tinker_island_run_state_at(run, t, self->part_q, self->part_v);
-    for (int32_t i = 0; i < part->bodies; i++) {
-        int32_t body = 2 * run->island->body_of[i];
-        for (int k = 0; k < 2; k++) {
-            self->sample_q[body + k] = self->part_q[2 * i + k] + (part->origin[k] - whole->origin[k]);
-            self->sample_v[body + k] = self->part_v[2 * i + k];
-        }
-    }
-    for (int32_t i = 2 * part->bodies; i < part->coordinates; i++) {
-        const int32_t at = tinker_model_turn_of(whole, run->island->body_of[tinker_model_moved_by(part, i)]);
-        self->sample_q[at] = self->part_q[i];
-        self->sample_v[at] = self->part_v[i];
-    }
+    tinker_island_runs_spread(self, run, self->part_q, self->part_v, self->sample_q, self->sample_v);
     return status;
 }
 

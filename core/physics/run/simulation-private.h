@@ -6,6 +6,7 @@
 #include "physics/run/estimate.h"
 #include "physics/run/event-values.h"
 #include "physics/run/island-runs.h"
+#include "physics/run/sample-watch.h"
 #include "physics/run/simulation.h"
 
 struct _TinkerSimulation {

@@ -42,6 +42,7 @@ void tinker_simulation_free(TinkerSimulation *simulation)
     tinker_estimate_free(simulation->estimate);
     tinker_box_watch_free(simulation->watch);
     tinker_event_values_free(simulation->events);
+    tinker_sample_watch_free(simulation->all->samples);
     tinker_island_runs_free(simulation->all);
     g_free(simulation);
 }
@@ -62,6 +63,14 @@ static void look_for_overlap(TinkerSimulation *simulation, double t)
     g_clear_pointer(&simulation->watch, tinker_box_watch_free);
 }
 
+/* Tells of motion between samples that these do not show. */
+static void look_between_samples(TinkerSimulation *simulation)
+{
+    if (simulation->all->samples == NULL) return;
+    char *text = tinker_sample_watch_text(simulation->all->samples);
+    if (text != NULL) tinker_summary_warn_of_scene(&simulation->all->summary, text);
+}
+
 static gboolean hand_out_event(void *taker, double t, const double *before, const double *behind, GError **error)
 {
     TinkerSimulation *simulation = taker;
@@ -78,7 +87,9 @@ static gboolean run_to_end(TinkerSimulation *simulation, TinkerSampleFunc sample
 {
     for (gint64 i = 0; i < simulation->all->times.count; i++) {
         double t = tinker_sample_times_at(&simulation->all->times, i);
+        if (simulation->all->samples != NULL) tinker_sample_watch_expect(simulation->all->samples, t);
         if (!advance(simulation, t, error)) return FALSE;
+        if (simulation->all->samples != NULL) tinker_sample_watch_take(simulation->all->samples);
         look_for_overlap(simulation, t);
         if (tinker_island_runs_sample(simulation->all, t) != TINKER_OK)
             return tinker_island_run_fail(g_ptr_array_index(simulation->all->runs, 0), simulation->all->model->failure,
@@ -104,12 +115,14 @@ gboolean tinker_simulation_run(TinkerSimulation *simulation, const GArray *colum
     gint64 started = g_get_monotonic_time();
     tinker_island_runs_take_columns(simulation->all, columns);
     simulation->watch = tinker_box_watch_new(simulation->all->model);
+    simulation->all->samples = tinker_sample_watch_new(simulation->all);
     if (simulation->all->options.estimate) simulation->estimate = tinker_estimate_new(simulation->all, columns);
     simulation->data = data;
     if (simulation->at_events != NULL)
         simulation->events = tinker_event_values_new(simulation->all, hand_out_event, simulation);
     gboolean done = run_to_end(simulation, sample, data, error);
     if (simulation->estimate != NULL && !tinker_estimate_close(simulation->estimate, done ? error : NULL)) done = FALSE;
+    look_between_samples(simulation);
     simulation->ended = TRUE;
     simulation->all->summary.wall_s = 1e-6 * (double)(g_get_monotonic_time() - started);
     add_up(simulation);
