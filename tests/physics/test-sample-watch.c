@@ -19,11 +19,12 @@ static double asked(const PhysicsRun *run, const char *name)
     double interval = 0;
     for (guint i = 0; i < run->summary->warnings->len; i++) {
         const char *warning = g_ptr_array_index(run->summary->warnings, i);
-        const char *begin = strstr(warning, "(an interval of ");
-        if (begin == NULL) continue;
-        g_assert_true(g_str_has_prefix(warning, name));
+        double found;
+        g_autofree char *told = tinker_summary_told_of_samples(warning, &found);
+        if (told == NULL) continue;
+        g_assert_true(g_str_has_prefix(told, name));
         g_assert_cmpfloat(interval, ==, 0); /* once */
-        interval = g_ascii_strtod(begin + strlen("(an interval of "), NULL);
+        interval = found;
     }
     return interval;
 }

@@ -1,6 +1,5 @@
 #include "physics/run/sample-watch.h"
 
-#include <glib/gi18n-lib.h>
 #include <math.h>
 #include <string.h>
 
@@ -260,16 +259,14 @@ static double round_down(double value)
     return floor(value / unit) * unit;
 }
 
-char *tinker_sample_watch_text(const TinkerSampleWatch *watch)
+void tinker_sample_watch_tell(const TinkerSampleWatch *watch, TinkerSummary *summary)
 {
     const TinkerModel *model = watch->runs->model;
     const int32_t worst = find_worst_of_all(watch).curve;
-    if (worst < 0) return NULL;
+    if (worst < 0) return;
     const int32_t body = worst < 2 * model->bodies ? worst / 2 : tinker_model_moved_by(model, worst);
     const double squares[] = {watch->curves[PLACE][worst].squares, watch->curves[SPEED][worst].squares};
-    return g_strdup_printf(
-        _("%s swings faster than samples %.6g s apart can show: curves and playback miss what it does between them (an "
-          "interval of %.6g s shows it)"),
-        tinker_scene_block_name(model->scene, model->body_blocks[body]), watch->runs->times.grid.spacing,
-        round_down(INTERVAL * sqrt(squares[PLACE] / squares[SPEED])));
+    tinker_summary_warn_of_samples(summary, tinker_scene_block_name(model->scene, model->body_blocks[body]),
+                                   watch->runs->times.grid.spacing,
+                                   round_down(INTERVAL * sqrt(squares[PLACE] / squares[SPEED])));
 }

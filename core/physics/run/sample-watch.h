@@ -20,8 +20,8 @@ void tinker_sample_watch_step(TinkerSampleWatch *watch, guint island, double fro
 /* The sample is taken: compares what was seen with the line from the sample before. */
 void tinker_sample_watch_take(TinkerSampleWatch *watch);
 
-/* A sentence on the body that leaves these lines farthest, for its range, with the interval that would show its motion;
- * NULL where samples show all. (transfer full) */
-char *tinker_sample_watch_text(const TinkerSampleWatch *watch);
+/* Warns of the body that leaves these lines farthest, for its range, with an interval that would show its motion; of
+ * none where samples show all. */
+void tinker_sample_watch_tell(const TinkerSampleWatch *watch, TinkerSummary *summary);
 
 #endif

@@ -63,14 +63,6 @@ static void look_for_overlap(TinkerSimulation *simulation, double t)
     g_clear_pointer(&simulation->watch, tinker_box_watch_free);
 }
 
-/* Tells of motion between samples that these do not show. */
-static void look_between_samples(TinkerSimulation *simulation)
-{
-    if (simulation->all->samples == NULL) return;
-    char *text = tinker_sample_watch_text(simulation->all->samples);
-    if (text != NULL) tinker_summary_warn_of_scene(&simulation->all->summary, text);
-}
-
 static gboolean hand_out_event(void *taker, double t, const double *before, const double *behind, GError **error)
 {
     TinkerSimulation *simulation = taker;
@@ -122,7 +114,7 @@ gboolean tinker_simulation_run(TinkerSimulation *simulation, const GArray *colum
         simulation->events = tinker_event_values_new(simulation->all, hand_out_event, simulation);
     gboolean done = run_to_end(simulation, sample, data, error);
     if (simulation->estimate != NULL && !tinker_estimate_close(simulation->estimate, done ? error : NULL)) done = FALSE;
-    look_between_samples(simulation);
+    if (simulation->all->samples != NULL) tinker_sample_watch_tell(simulation->all->samples, &simulation->all->summary);
     simulation->ended = TRUE;
     simulation->all->summary.wall_s = 1e-6 * (double)(g_get_monotonic_time() - started);
     add_up(simulation);

@@ -10,6 +10,10 @@
        "Poisson's and one blow after the other differ (impact_law in the scene chooses; the events of the "            \
        "summary tell the velocities by each)")
 
+#define SAMPLES_MISS                                                                                                   \
+    N_("%s swings faster than samples %.6g s apart can show: curves and playback miss what it does between them (an "  \
+       "interval of %.6g s shows it)")
+
 void tinker_summary_warn_of_scene(TinkerSummary *summary, char *text)
 {
     g_ptr_array_add(summary->warnings, text);
@@ -25,5 +29,19 @@ char *tinker_summary_told_of_laws(const char *warning)
 {
     const char *format = _(LAWS_DIFFER), *number = strchr(format, '%'), *bracket = strrchr(warning, '(');
     if (bracket == NULL || strncmp(warning, format, (gsize)(number - format)) != 0) return NULL;
+    return g_strchomp(g_strndup(warning, (gsize)(bracket - warning)));
+}
+
+void tinker_summary_warn_of_samples(TinkerSummary *summary, const char *name, double apart, double interval)
+{
+    tinker_summary_warn_of_scene(summary, g_strdup_printf(_(SAMPLES_MISS), name, apart, interval));
+}
+
+char *tinker_summary_told_of_samples(const char *warning, double *interval)
+{
+    const char *format = _(SAMPLES_MISS), *middle = strchr(format, ' '), *bracket = strrchr(warning, '(');
+    g_autofree char *between = g_strndup(middle, (gsize)(strstr(format, "%.6g") - middle));
+    if (bracket == NULL || strstr(warning, between) == NULL) return NULL;
+    *interval = g_ascii_strtod(bracket + strcspn(bracket, "0123456789"), NULL);
     return g_strchomp(g_strndup(warning, (gsize)(bracket - warning)));
 }

@@ -78,4 +78,11 @@ void tinker_summary_warn_of_laws(TinkerSummary *summary, double t);
  * NULL where a warning is another one. (transfer full) */
 char *tinker_summary_told_of_laws(const char *warning);
 
+/* Samples that are so far `apart` (s) do not show how the block of this name moves; an interval (s) that does. */
+void tinker_summary_warn_of_samples(TinkerSummary *summary, const char *name, double apart, double interval);
+
+/* What that warning says without the interval, for those who offer it themselves; NULL where a warning is another one.
+ * (transfer full) */
+char *tinker_summary_told_of_samples(const char *warning, double *interval);
+
 #endif

@@ -31,6 +31,13 @@ gboolean tinker_run_choice_automatic(TinkerDocument *document, GError **error)
     return take_over(document, _("Choose Method Automatically"), &head, error);
 }
 
+gboolean tinker_run_choice_record(TinkerDocument *document, double interval, GError **error)
+{
+    TinkerSceneHead head = *tinker_scene_head(tinker_document_scene(document));
+    head.run.interval = interval;
+    return take_over(document, _("Record More Often"), &head, error);
+}
+
 char *tinker_run_choice_text(const TinkerTradeSetting *setting)
 {
     if (setting->value == 0) return g_strdup(setting->method);

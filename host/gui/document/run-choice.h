@@ -11,6 +11,9 @@ gboolean tinker_run_choice_use(TinkerDocument *document, const TinkerTradeRow *r
 /* Leaves the choice of the method to the plan. */
 gboolean tinker_run_choice_automatic(TinkerDocument *document, GError **error);
 
+/* Records at this interval (s). */
+gboolean tinker_run_choice_record(TinkerDocument *document, double interval, GError **error);
+
 /* What has been chosen: "rk4 with a step of 0.005 s". (transfer full) */
 char *tinker_run_choice_text(const TinkerTradeSetting *setting);
 

@@ -47,6 +47,28 @@ static void add_notice(GPtrArray *notices, TinkerWindow *window, const char *war
     g_ptr_array_add(notices, tinker_notice_new(TINKER_NOTICE_WARNING, text, button, cure, window, NULL));
 }
 
+/* A cure of what samples do not show. */
+typedef struct {
+    TinkerWindow *window;
+    double interval; /* s */
+} Recording;
+
+static void record_more_often(void *data)
+{
+    const Recording *recording = data;
+    g_autoptr(GError) error = NULL;
+    if (!tinker_run_choice_record(recording->window->document, recording->interval, &error))
+        window_toast(recording->window, error->message);
+}
+
+static void add_recording_notice(GPtrArray *notices, TinkerWindow *window, const char *warning, double interval)
+{
+    const Recording recording = {window, interval};
+    g_autofree char *text = tinker_sentence_in(tinker_document_scene(window->document), warning);
+    g_ptr_array_add(notices, tinker_notice_new(TINKER_NOTICE_WARNING, text, _("Record More Often"), record_more_often,
+                                               g_memdup2(&recording, sizeof recording), g_free));
+}
+
 static GPtrArray *new_notices(void)
 {
     return g_ptr_array_new_with_free_func((GDestroyNotify)tinker_notice_free);
@@ -85,8 +107,12 @@ static void show_run_notices(TinkerWindow *window)
     for (guint i = 0; i < warnings->len; i++) {
         const char *warning = g_ptr_array_index(warnings, i);
         if (result != NULL && result->plan != NULL && is_among(result->plan->warnings, warning)) continue;
+        double interval;
         g_autofree char *of_laws = tinker_summary_told_of_laws(warning);
-        if (of_laws != NULL)
+        g_autofree char *of_samples = tinker_summary_told_of_samples(warning, &interval);
+        if (of_samples != NULL)
+            add_recording_notice(notices, window, of_samples, interval);
+        else if (of_laws != NULL)
             add_notice(notices, window, of_laws, _("Choose the Law of Impact"), show_law_of_impact);
         else if (is_among(of_scene, warning))
             add_notice(notices, window, warning, NULL, NULL);

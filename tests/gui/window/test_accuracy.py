@@ -1,5 +1,6 @@
 #!/usr/bin/python3
 """Accuracy at a glance, and the page that measures it."""
+import math
 import re
 
 from harness import App, check, check_equal, main, mass, scene, spring, support, wait
@@ -46,6 +47,21 @@ def test_method_is_offered_where_one_helps_alone(display):
         app.click("Play")
         app.find("button", re.compile("energy"))
         app.find("button", "Choose Automatically")
+
+
+def test_samples_that_miss_a_swing_are_made_more(display):
+    """A swing of a second, recorded once a second, would be drawn as rest."""
+    swing = scene(support("Wall", 0, 0, solid=False), mass("M", 2, 0, mass=1),
+                  spring("S", "Wall", "M", stiffness=4 * math.pi**2, rest_length=1))
+    swing["run"]["interval"] = 1
+    with App(display, swing) as app:
+        app.click("Play")
+        app.find_text("M swings faster than samples 1 s apart can show")
+        app.click("Record More Often")
+        wait(lambda: app.time() == 0, "the run to begin anew")
+        check(app.saved()["run"]["interval"] <= 0.125, "eight samples to a period")
+        app.xdotool("key", "ctrl+z")
+        check_equal(app.saved()["run"]["interval"], 1, "the interval, as it was")
 
 
 def test_shapes_that_overlap_are_told_of_before_the_run(display):
