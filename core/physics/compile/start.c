@@ -10,6 +10,8 @@
 #include "physics/constraint/tolerances.h"
 #include "physics/force/forces.h"
 #include "physics/model/model-data.h"
+#include "physics/model/points.h"
+#include "physics/model/state.h"
 
 /* The column of the length that a row keeps from end to end; -1 where it says no such thing, as of what is wound. */
 static int32_t path_column(const TinkerBlockClass *block_class, int32_t ends)

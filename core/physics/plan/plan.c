@@ -9,6 +9,8 @@
 #include "physics/line/linear-form.h"
 #include "physics/model/breaks.h"
 #include "physics/model/model-data.h"
+#include "physics/model/points.h"
+#include "physics/model/state.h"
 #include "physics/plan/islands.h"
 #include "physics/plan/plan-private.h"
 #include "physics/plan/run-options.h"

@@ -8,6 +8,7 @@
 #include "physics/force/forces.h"
 #include "physics/model/angles.h"
 #include "physics/model/model-data.h"
+#include "physics/model/points.h"
 #include "physics/plan/run-options.h"
 #include "physics/run/simulation-private.h"
 #include "physics/run/simulation.h"

@@ -9,6 +9,7 @@
 #include "physics/island/island-run.h"
 #include "physics/model/breaks.h"
 #include "physics/model/model-data.h"
+#include "physics/model/points.h"
 #include "physics/plan/islands.h"
 #include "physics/plan/plan-cost.h"
 #include "physics/plan/plan.h"
