@@ -4,7 +4,6 @@
 
 #include "equations/newton/writer.h"
 #include "law/build-short.h"
-#include "law/value.h"
 
 #include <tinker/kernels.h>
 

@@ -6,7 +6,6 @@
 #include "physics/island/island-run.h"
 #include "physics/plan/islands.h"
 #include "physics/plan/operations.h"
-#include "physics/plan/plan-cost.h"
 #include "physics/plan/plan.h"
 #include "physics/plan/run-options.h"
 #include "physics/run/island-steps.h"

@@ -11,7 +11,6 @@
 #include "physics/model/model-data.h"
 #include "physics/model/points.h"
 #include "physics/plan/islands.h"
-#include "physics/plan/plan-cost.h"
 #include "physics/plan/plan.h"
 #include "physics/plan/run-options.h"
 #include "physics/record/sample-times.h"

@@ -2,7 +2,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "cli/command/output.h"
 #include "cli/report/chart-table.h"
 #include "cli/verb/graph-options.h"
 #include "common/program/exit-status.h"
