@@ -138,6 +138,8 @@ void tinker_plot_draw_band(cairo_t *cairo, const TinkerPlotLayout *layout, const
                            double column_width);
 void tinker_plot_draw_curve(cairo_t *cairo, const TinkerPlotLayout *layout, const TinkerCurve *curve,
                             double column_width);
+/* Of data: its own among the theme's. */
+const double *tinker_plot_curve_colour(const TinkerPlotLayout *layout, const TinkerCurve *curve);
 /* Colour, line style and mark of a curve, for the curve itself and the legend's sample. */
 void tinker_plot_set_curve_style(cairo_t *cairo, const TinkerPlotLayout *layout, const TinkerCurve *curve);
 void tinker_plot_draw_marker(cairo_t *cairo, const TinkerCurve *curve, double x, double y);
