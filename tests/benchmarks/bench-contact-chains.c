@@ -7,6 +7,7 @@
 #include "numerics/sharing/sharing.h"
 #include "physics/constraint/constraints.h"
 #include "physics/contact/contacts.h"
+#include "physics/model/state.h"
 #include "report.h"
 #include "subject.h"
 

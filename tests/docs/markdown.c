@@ -87,3 +87,8 @@ GPtrArray *markdown_files(const char *sources)
     collect(sources, files);
     return files;
 }
+
+char *markdown_source_path(const char *relative)
+{
+    return g_build_filename(g_getenv("TINKER_SOURCES"), relative, NULL);
+}

@@ -22,4 +22,7 @@ GPtrArray *markdown_links(const char *text);
 /* All Markdown files of the project, as absolute paths. (transfer full) */
 GPtrArray *markdown_files(const char *sources);
 
+/* A file or a folder of the sources, by its path in them. (transfer full) */
+char *markdown_source_path(const char *relative);
+
 #endif

@@ -8,6 +8,31 @@
 
 /* Two quantities, a whole energy and a table in one graph: a fall from rest has y = -g t^2 / 2, vy = -g t, and the sum
  * of its energies stays 0. The table's rows are its own. */
+/* What is drawn of them: two axes, a table as marks, units where one axis has several. */
+static void assert_drawn(TinkerGraphData *data)
+{
+    TinkerPlot plot = {0};
+    tinker_graph_data_fill_plot(data, &plot);
+    g_assert_cmpint(plot.curve_count, ==, 5);
+    g_assert_true(plot.curves[1].right && !plot.curves[0].right);
+    g_assert_true(plot.curves[4].no_line && plot.curves[4].markers);
+    g_assert_cmpstr(plot.right_label, ==, "speed [m/s]");
+    g_assert_cmpstr(plot.y_label, ==, "units as in the legend");
+    g_assert_cmpstr(plot.curves[2].label, ==, "sum [J]");
+}
+
+/* At 0, 0.1, 0.2 s the fall is at 0, -0.04905, -0.1962 m, and the rows are off by 0, -0.00095, -0.0038; nothing else is
+ * in m on the left. */
+static void assert_fit(TinkerGraphData *data)
+{
+    g_autofree char *statistics = tinker_graph_statistics_text(data, NULL);
+    const char *fit = strstr(statistics, "Root mean square of the differences from “measured.csv, 1”, 3 values = ");
+    g_assert_nonnull(fit);
+    g_assert_cmpfloat_with_epsilon(g_ascii_strtod(strstr(fit, "= ") + 2, NULL),
+                                   sqrt((0.00095 * 0.00095 + 0.0038 * 0.0038) / 3), 1e-9);
+    g_assert_null(strstr(strstr(fit, "= "), "differences from"));
+}
+
 static void test_several_curves(void)
 {
     static const char graph[] =
@@ -49,23 +74,8 @@ static void test_several_curves(void)
     g_assert_cmpfloat(tinker_graph_series_y(measured)[2], ==, -0.2);
     g_assert_cmpstr(tinker_graph_data_name(data, 0), ==, "Mass 0: Y Position");
 
-    TinkerPlot plot = {0};
-    tinker_graph_data_fill_plot(data, &plot);
-    g_assert_cmpint(plot.curve_count, ==, 5);
-    g_assert_true(plot.curves[1].right && !plot.curves[0].right);
-    g_assert_true(plot.curves[4].no_line && plot.curves[4].markers);
-    g_assert_cmpstr(plot.right_label, ==, "speed [m/s]");
-    g_assert_cmpstr(plot.y_label, ==, "units as in the legend");
-    g_assert_cmpstr(plot.curves[2].label, ==, "sum [J]");
-
-    /* at 0, 0.1, 0.2 s the fall is at 0, -0.04905, -0.1962 m, and the rows are off by 0, -0.00095, -0.0038; nothing
-     * else is in m on the left */
-    g_autofree char *statistics = tinker_graph_statistics_text(data, NULL);
-    const char *fit = strstr(statistics, "Root mean square of the differences from “measured.csv, 1”, 3 values = ");
-    g_assert_nonnull(fit);
-    g_assert_cmpfloat_with_epsilon(g_ascii_strtod(strstr(fit, "= ") + 2, NULL),
-                                   sqrt((0.00095 * 0.00095 + 0.0038 * 0.0038) / 3), 1e-9);
-    g_assert_null(strstr(strstr(fit, "= "), "differences from"));
+    assert_drawn(data);
+    assert_fit(data);
 
     /* the columns that the command line writes of such a graph */
     g_assert_true(tinker_graph_data_write_csv(data, csv, 5, &error));

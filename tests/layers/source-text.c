@@ -100,3 +100,10 @@ GPtrArray *source_literals(const char *text)
     }
     return literals;
 }
+
+gboolean source_begins_with_one_of(const char *text, const char *const *beginnings)
+{
+    for (; *beginnings != NULL; beginnings++)
+        if (g_str_has_prefix(text, *beginnings)) return TRUE;
+    return FALSE;
+}

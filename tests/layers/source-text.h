@@ -16,4 +16,7 @@ GPtrArray *source_includes(const char *text);
 /* The contents of its string literals, as written, but for those of include lines; of char *. (transfer full) */
 GPtrArray *source_literals(const char *text);
 
+/* Whether a text begins with one of these, the last of which is NULL. */
+gboolean source_begins_with_one_of(const char *text, const char *const *beginnings);
+
 #endif

@@ -9,6 +9,7 @@
 #include "physics/contact/contact-reach.h"
 #include "physics/contact/contacts-private.h"
 #include "physics/model/model-data.h"
+#include "physics/model/state.h"
 
 typedef enum { CHAIN, TREE, LADDER, RING, SHAPES } Shape;
 

@@ -9,6 +9,7 @@
 #include "physics/constraint/constraints.h"
 #include "physics/constraint/distance-rows.h"
 #include "physics/model/model-data.h"
+#include "physics/model/state.h"
 
 #define MOST_ROWS 11
 #define POINTS    7

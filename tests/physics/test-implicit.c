@@ -5,6 +5,7 @@
 #include "numerics/methods/integrators.h"
 #include "physics/force/forces.h"
 #include "physics/model/model-data.h"
+#include "physics/model/state.h"
 #include "physics/system/system.h"
 #include "test-systems.h"
 

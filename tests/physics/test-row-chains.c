@@ -7,6 +7,7 @@
 #include "physics/compile/compile.h"
 #include "physics/constraint/constraints.h"
 #include "physics/model/model-data.h"
+#include "physics/model/state.h"
 
 typedef struct {
     int rods;

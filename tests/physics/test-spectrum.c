@@ -6,6 +6,7 @@
 #include "numerics/stability/amplification.h"
 #include "physics/force/forces.h"
 #include "physics/model/model-data.h"
+#include "physics/model/state.h"
 #include "spectrum-checks.h"
 
 /* k/m over 16 decades, dampings from none to 200 times critical: c/m over 12. */

@@ -8,6 +8,7 @@
 #include "physics/compile/compile.h"
 #include "physics/force/forces.h"
 #include "physics/model/model-data.h"
+#include "physics/model/state.h"
 
 /* Enough masses that every loop over them is shared, enough springs that those are. */
 #define SIDE 184

@@ -91,8 +91,20 @@ void tinker_equations_set_rounding(TinkerEquations *equations, const char *name,
 /* Works out how exact definitions and unknown forces are, when all is written. */
 void tinker_equations_bound_roundings(TinkerEquations *equations);
 
+/* One with a value and no more. (transfer full) */
+TinkerExpression *tinker_writer_valued(TinkerEquationWriter *writer, const TinkerSampledSymbol *is, const char *means);
+
 /* A new symbol of what is known by values alone, of which rates are taken; `means` is static. (transfer full) */
 TinkerExpression *tinker_writer_sampled(TinkerEquationWriter *writer, const TinkerSampledSymbol *is, const char *means);
+
+/* The symbol that a property has already; NULL. (transfer full) */
+TinkerExpression *tinker_writer_known_property(const TinkerEquationWriter *writer, TinkerBlockId block,
+                                               const char *key);
+
+/* What a property's column stands for: a symbol of this stem, the same for each call; 0 where its value is 0. (transfer
+ * full) */
+TinkerExpression *tinker_writer_property(TinkerEquationWriter *writer, TinkerBlockId block, int32_t property,
+                                         int32_t component, const char *stem);
 
 /* The property that carries a meaning. */
 TinkerExpression *tinker_writer_meaning(TinkerEquationWriter *writer, TinkerBlockId block, int32_t meaning,

@@ -1,8 +1,5 @@
-/* Sparse L D L^T of symmetric matrices whose pattern never changes: ordered by AMD once, every update's place worked
- * out once, so that the numeric phase is a straight run over index lists.
- *
- * Source of the ordering: Amestoy, Davis, Duff, "An approximate minimum degree ordering algorithm", SIAM J. Matrix
- * Anal. Appl. 17 (1996). */
+/* Sparse L D L^T of symmetric matrices whose pattern never changes: ordered once (elimination-order.h), every update's
+ * place worked out once, so that the numeric phase is a straight run over index lists. */
 #ifndef TINKER_CORE_SPARSE_LDL_H
 #define TINKER_CORE_SPARSE_LDL_H
 

@@ -10,6 +10,7 @@
 #include "physics/compile/tolerances.h"
 #include "physics/constraint/constraints.h"
 #include "physics/model/model-data.h"
+#include "physics/model/state.h"
 
 #define MOST_TRIES 20 /* at the place that is nearest to the hand */
 

@@ -10,6 +10,8 @@
 #include "physics/constraint/straight-bars.h"
 #include "physics/constraint/tolerances.h"
 #include "physics/model/angles.h"
+#include "physics/model/points.h"
+#include "physics/model/state.h"
 
 static int32_t ends_of(const TinkerBlockBatch *batch, int32_t row)
 {

@@ -7,6 +7,7 @@
 #include "physics/compile/compile-private.h"
 #include "physics/force/line-parts.h"
 #include "physics/model/angles.h"
+#include "physics/model/points.h"
 #include "plugin/call/guarded.h"
 #include "plugin/call/process-state.h"
 

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "physics/compile/compile-lines.h"
+#include "physics/model/points.h"
 #include "plugin/call/guarded.h"
 #include "plugin/call/process-state.h"
 

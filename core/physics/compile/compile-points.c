@@ -5,6 +5,7 @@
 
 #include "physics/compile/compile-private.h"
 #include "physics/model/angles.h"
+#include "physics/model/points.h"
 
 /* An attachment to be, and the end that is to have its point. */
 typedef struct {

@@ -10,6 +10,7 @@
 #include "physics/compile/compile.h"
 #include "physics/constraint/constraints.h"
 #include "physics/model/angles.h"
+#include "physics/model/state.h"
 #include "plugin/call/guarded.h"
 #include "scene/frame/idle-turns.h"
 #include "scene/frame/small-wheels.h"

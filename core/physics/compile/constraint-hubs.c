@@ -8,6 +8,7 @@
  * on it alone shows in as many numbers as it has coordinates (tinker_constraints_count_dependent). */
 #include "physics/compile/constraint-parts.h"
 #include "physics/constraint/repeated-rows.h"
+#include "physics/model/points.h"
 
 /* Entries in the matrix: of fewer the products cost less than rows that are dependent without their hub. */
 #define ENTRIES_OF_A_HUB 128

@@ -4,6 +4,7 @@
 #include "physics/compile/compile-private.h"
 #include "physics/compile/constraint-parts.h"
 #include "physics/compile/tolerances.h"
+#include "physics/model/points.h"
 
 /* The larger side of the box about all points that something can be at; where these are one place but for the places
  * in them, as of two discs on one pin, the largest radius of gyration. */

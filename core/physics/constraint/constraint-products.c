@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "physics/constraint/constraints-private.h"
+#include "physics/model/state.h"
 
 double tinker_constraints_reach(const TinkerModel *model)
 {

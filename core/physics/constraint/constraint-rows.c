@@ -6,6 +6,8 @@
 #include "physics/constraint/distance-rows.h"
 #include "physics/constraint/straight-bars.h"
 #include "physics/model/angles.h"
+#include "physics/model/failures.h"
+#include "physics/model/points.h"
 
 static G_NO_INLINE TinkerStatus refuse_rows(TinkerModel *model, const TinkerConstraintBatch *part, TinkerStatus status)
 {

@@ -3,6 +3,7 @@
 #define TINKER_CORE_CONSTRAINTS_H
 
 #include "physics/model/model-data.h"
+#include "physics/model/points.h"
 
 /* The greatest length (m) that a constraint with one end declares, else 0: it holds a body about a place where no point
  * is. */

@@ -2,6 +2,7 @@
 
 #include "physics/constraint/constraints.h"
 #include "physics/model/model-data.h"
+#include "physics/model/points.h"
 
 GArray *tinker_jolts_new(void)
 {

@@ -10,6 +10,7 @@
 #include "physics/constraint/pin-chains.h"
 #include "physics/constraint/constraints.h"
 #include "physics/constraint/repeated-rows.h"
+#include "physics/model/points.h"
 
 #include <string.h>
 

@@ -12,7 +12,10 @@
 #include "numerics/solve/largest.h"
 #include "physics/constraint/constraints.h"
 #include "physics/constraint/tolerances.h"
+#include "physics/model/failures.h"
 #include "physics/model/model-data.h"
+#include "physics/model/state.h"
+#include "physics/model/turns.h"
 
 #define MOST_NEWTON_STEPS 25
 

@@ -1,5 +1,6 @@
 /* Rows that repeat others; see the header. */
 #include "physics/constraint/repeated-rows.h"
+#include "physics/model/points.h"
 
 #include <stdlib.h>
 #include <string.h>

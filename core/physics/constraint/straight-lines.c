@@ -4,6 +4,7 @@
 #include "physics/constraint/straight-lines.h"
 #include "physics/constraint/tolerances.h"
 #include "physics/model/model-data.h"
+#include "physics/model/points.h"
 
 #include <math.h>
 

@@ -10,6 +10,7 @@
 #include "physics/constraint/constraints.h"
 #include "physics/model/angles.h"
 #include "physics/model/model-data.h"
+#include "physics/model/state.h"
 
 #define AN_EIGHTH (G_PI / 4)
 

@@ -8,6 +8,7 @@
 #include "physics/contact/contacts-private.h"
 #include "physics/contact/contacts.h"
 #include "physics/model/model-data.h"
+#include "physics/model/points.h"
 
 /* Accelerations that cancel leave this share of their magnitudes, and as often as much as there are this many rows of
  * one block: the solve of n rows rounds n times. */

@@ -6,6 +6,7 @@
 
 #include "physics/contact/contacts-private.h"
 #include "physics/model/model-data.h"
+#include "physics/model/points.h"
 #include "physics/shapes/outline-parts.h"
 
 /* Corners of a box, and of a top. */

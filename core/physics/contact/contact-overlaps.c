@@ -4,6 +4,7 @@
 #include "physics/contact/contact-neighbours.h"
 #include "physics/contact/contacts.h"
 #include "physics/model/model-data.h"
+#include "physics/model/points.h"
 
 void tinker_contacts_tell_overlap(const TinkerContacts *contacts, const int32_t point[2], double overlap, guint *told,
                                   GPtrArray *warnings)

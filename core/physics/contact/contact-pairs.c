@@ -4,6 +4,7 @@
 
 #include "physics/contact/contacts-private.h"
 #include "physics/model/model-data.h"
+#include "physics/model/points.h"
 #include "physics/shapes/unturned.h"
 
 /* Functions of one pair of masses: of two boxes 4 corners over 4 edges, both ways. */

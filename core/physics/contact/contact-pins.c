@@ -17,6 +17,7 @@
 
 #include "physics/constraint/constraints.h"
 #include "physics/contact/tolerances.h"
+#include "physics/model/points.h"
 
 #define MOST_PASSES 50
 

@@ -11,6 +11,7 @@
 #include "physics/contact/contacts.h"
 #include "physics/force/forces.h"
 #include "physics/model/model-data.h"
+#include "physics/model/state.h"
 
 #define MOST_STEPS 25
 

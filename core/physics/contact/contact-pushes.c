@@ -7,6 +7,7 @@
 #include "physics/contact/contacts.h"
 #include "physics/contact/tolerances.h"
 #include "physics/model/model-data.h"
+#include "physics/model/points.h"
 
 void tinker_contacts_begin_pushes(TinkerContacts *contacts)
 {

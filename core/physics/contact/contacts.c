@@ -9,6 +9,7 @@
 #include "physics/contact/contact-pins.h"
 #include "physics/contact/tolerances.h"
 #include "physics/model/model-data.h"
+#include "physics/model/points.h"
 
 /* As masses and supports have it. */
 static int32_t shape_of(const TinkerBlockBatch *batch)

@@ -12,7 +12,10 @@
 #include "physics/event/contact-run.h"
 #include "physics/force/forces.h"
 #include "physics/model/angles.h"
+#include "physics/model/failures.h"
 #include "physics/model/model-data.h"
+#include "physics/model/points.h"
+#include "physics/model/state.h"
 #include "physics/system/method-call.h"
 #include "plugin/call/call.h"
 

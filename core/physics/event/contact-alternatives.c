@@ -9,6 +9,7 @@
 #include "physics/event/contact-change-private.h"
 #include "physics/event/tolerances.h"
 #include "physics/island/island-run.h"
+#include "physics/model/points.h"
 #include "physics/system/summary.h"
 
 /* Contacts of more are not compared: that costs more than the impact. */

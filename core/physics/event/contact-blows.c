@@ -12,6 +12,7 @@
 #include "physics/event/tolerances.h"
 #include "physics/force/forces.h"
 #include "physics/model/model.h"
+#include "physics/model/points.h"
 
 /* Notes what a contact that no row stands for gives, each of the two by the other. */
 static void note_touch(const TinkerContactChange *change, const TinkerContact *contact, double pn, double pt)

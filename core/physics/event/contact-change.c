@@ -17,6 +17,7 @@
 #include "physics/event/tolerances.h"
 #include "physics/island/island-run.h"
 #include "physics/model/model-data.h"
+#include "physics/model/state.h"
 
 /* Impacts that are made to follow on one another at one instant; what strikes by turns without end is found out by
  * time. */

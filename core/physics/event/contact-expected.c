@@ -10,6 +10,7 @@
 #include "physics/event/tolerances.h"
 #include "physics/island/island-run.h"
 #include "physics/model/model-data.h"
+#include "physics/model/state.h"
 #include "physics/system/method-call.h"
 #include "physics/system/system.h"
 

@@ -18,6 +18,7 @@
 #include "physics/island/island-run.h"
 #include "physics/line/linear-form.h"
 #include "physics/model/model-data.h"
+#include "physics/model/state.h"
 
 /* Whether what one plate does cannot change the energy along the normal of another. */
 static gboolean leaves_energy_along(const TinkerContacts *contacts, const TinkerTrigger *trigger, int32_t plate)

@@ -7,6 +7,7 @@
 #include "physics/event/tolerances.h"
 #include "physics/island/island-run.h"
 #include "physics/model/model-data.h"
+#include "physics/model/points.h"
 #include "physics/system/method-call.h"
 #include "physics/system/system.h"
 

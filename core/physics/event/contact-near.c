@@ -8,7 +8,10 @@
 #include "physics/contact/contacts.h"
 #include "physics/event/contact-run-private.h"
 #include "physics/island/island-run.h"
+#include "physics/model/failures.h"
 #include "physics/model/model-data.h"
+#include "physics/model/points.h"
+#include "physics/model/state.h"
 
 /* A neighbourhood reaches as far as so many steps like this one lead. */
 #define STEPS_AHEAD 32

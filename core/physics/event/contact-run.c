@@ -13,6 +13,7 @@
 #include "physics/island/island-run.h"
 #include "physics/line/linear-form.h"
 #include "physics/model/model-data.h"
+#include "physics/model/state.h"
 #include "physics/system/method-call.h"
 #include "physics/system/system.h"
 

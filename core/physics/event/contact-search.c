@@ -10,6 +10,7 @@
 #include "physics/event/contact-run-private.h"
 #include "physics/event/tolerances.h"
 #include "physics/model/model-data.h"
+#include "physics/model/state.h"
 #include "physics/system/method-call.h"
 
 #define MOST_PARTS 256

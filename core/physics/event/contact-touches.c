@@ -9,6 +9,8 @@
 #include "physics/force/forces.h"
 #include "physics/island/island-run.h"
 #include "physics/model/model-data.h"
+#include "physics/model/points.h"
+#include "physics/model/state.h"
 #include "physics/system/method-call.h"
 #include "physics/system/system.h"
 

@@ -10,6 +10,7 @@
 #include "physics/island/island-run.h"
 #include "physics/line/linear-form.h"
 #include "physics/model/model-data.h"
+#include "physics/model/state.h"
 #include "physics/system/method-call.h"
 
 /* Triggers of one closed contact. */

@@ -6,6 +6,8 @@
 #include "physics/island/island-run.h"
 #include "physics/line/linear-form.h"
 #include "physics/model/model-data.h"
+#include "physics/model/points.h"
+#include "physics/model/state.h"
 
 /* Lines ------------------------------------------------------------------------------------------------------------ */
 

@@ -7,6 +7,8 @@
 
 #include "physics/event/tolerances.h"
 #include "physics/model/model-data.h"
+#include "physics/model/points.h"
+#include "physics/model/state.h"
 #include "physics/system/method-call.h"
 #include "physics/system/system.h"
 

@@ -8,6 +8,7 @@
 #include "physics/event/tolerances.h"
 #include "physics/force/law-paths.h"
 #include "physics/model/model-data.h"
+#include "physics/model/state.h"
 #include "physics/system/method-call.h"
 #include "physics/system/system.h"
 

@@ -10,6 +10,7 @@
 #include "physics/event/still-contacts-private.h"
 #include "physics/event/tolerances.h"
 #include "physics/model/model-data.h"
+#include "physics/model/state.h"
 
 static gboolean may_touch(const TinkerContacts *contacts)
 {

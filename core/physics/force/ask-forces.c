@@ -5,6 +5,7 @@
 
 #include "physics/force/forces.h"
 #include "physics/model/angles.h"
+#include "physics/model/failures.h"
 
 TinkerStatus tinker_model_refuse_forces(TinkerModel *model, const TinkerBlockBatch *batch, const TinkerBatch *view,
                                         TinkerStatus status, const char *what)

@@ -1,6 +1,7 @@
 /* The derivatives of a line whose plugin is asked. */
 #include "physics/force/derivatives.h"
 #include "physics/force/tolerances.h"
+#include "physics/model/failures.h"
 #include "physics/model/model-data.h"
 
 #define MOST_SLOPES 10

@@ -4,6 +4,7 @@
 #include "physics/force/forces.h"
 #include "physics/force/tolerances.h"
 #include "physics/model/angles.h"
+#include "physics/model/failures.h"
 
 static double kinetic_energy(const TinkerModel *model)
 {

@@ -7,9 +7,12 @@
 #include <math.h>
 #include <string.h>
 
+#include "numerics/sharing/sharing.h"
 #include "physics/force/forces.h"
 #include "physics/force/line-parts.h"
+#include "physics/model/failures.h"
 #include "physics/model/model-data.h"
+#include "physics/model/points.h"
 #include "plugin/call/guarded.h"
 #include "plugin/call/words.h"
 

@@ -1,5 +1,6 @@
 /* Typed laws along a step; see the header. */
 #include "physics/force/law-paths.h"
+#include "physics/model/points.h"
 
 #include <math.h>
 #include <string.h>

@@ -10,6 +10,8 @@
 #include "physics/force/forces.h"
 #include "physics/force/tolerances.h"
 #include "physics/model/model-data.h"
+#include "physics/model/points.h"
+#include "physics/model/state.h"
 
 /* block times the difference of d at the ends: a pull on a, the opposite on b. */
 static void add_line(const TinkerModel *model, int32_t a, int32_t b, const double block[4], const double *d,

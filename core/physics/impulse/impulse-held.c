@@ -9,6 +9,7 @@
 #include "physics/impulse/impulse-private.h"
 #include "physics/impulse/tolerances.h"
 #include "physics/model/model-data.h"
+#include "physics/model/state.h"
 
 static TinkerImpulseTouch *held(const TinkerImpulses *self, guint number)
 {

@@ -6,6 +6,7 @@
 
 #include "numerics/contact/tolerances.h"
 #include "physics/impulse/impulse-private.h"
+#include "physics/model/failures.h"
 
 static double friction_of(const TinkerImpulses *self, const TinkerImpulseTouch *touch)
 {

@@ -9,6 +9,8 @@
 #include "physics/impulse/impulse-private.h"
 #include "physics/impulse/tolerances.h"
 #include "physics/model/model-data.h"
+#include "physics/model/points.h"
+#include "physics/model/state.h"
 #include "physics/system/method-call.h"
 
 /* Whether a body is solved for with all that are on constraints. */

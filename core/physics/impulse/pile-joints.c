@@ -14,6 +14,7 @@
 #include "physics/contact/contacts.h"
 #include "physics/impulse/impulse-private.h"
 #include "physics/impulse/pile.h"
+#include "physics/model/points.h"
 
 /* Whether bodies of the pile are on a row. */
 static gboolean row_is_of(const TinkerPile *pile, int32_t row)

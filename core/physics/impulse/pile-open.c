@@ -1,5 +1,6 @@
 /* What a pile consists of: the shapes that meet others, and the bodies that constraints tie to them. */
 #include "physics/impulse/pile.h"
+#include "physics/model/points.h"
 
 static int32_t list_members(TinkerPile *pile)
 {

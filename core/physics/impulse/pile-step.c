@@ -6,6 +6,8 @@
 #include <string.h>
 
 #include "physics/impulse/impulse-private.h"
+#include "physics/model/points.h"
+#include "physics/model/state.h"
 
 static void place_body(TinkerPile *pile, int32_t body, const double *q)
 {

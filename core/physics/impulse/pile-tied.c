@@ -2,6 +2,7 @@
  * act. What it leaves of them is solved exactly afterwards (pile-joints.c). */
 #include "physics/constraint/constraints.h"
 #include "physics/impulse/pile.h"
+#include "physics/model/points.h"
 
 /* K over the mass that a row moves: long chains are soft beside one of their rows. */
 #define STIFF 1e8

@@ -25,6 +25,7 @@
 #include "numerics/solve/sparse-ldl.h"
 #include "physics/contact/contacts.h"
 #include "physics/model/model-data.h"
+#include "physics/model/points.h"
 #include "physics/shapes/manifold.h"
 
 /* The velocity of a shape, and the inverse of its mass; of a top 0. */

@@ -13,6 +13,7 @@
 #include "physics/impulse/impulse.h"
 #include "physics/island/stability-watch.h"
 #include "physics/line/linear-form.h"
+#include "physics/model/failures.h"
 #include "physics/model/model.h"
 #include "physics/system/method-call.h"
 #include "physics/system/system.h"

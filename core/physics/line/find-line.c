@@ -4,6 +4,7 @@
 #include "physics/line/linear-form-data.h"
 #include "physics/model/breaks.h"
 #include "physics/model/model-data.h"
+#include "physics/model/points.h"
 
 typedef struct {
     double x, y;

@@ -5,6 +5,7 @@
 #include "physics/line/tolerances.h"
 #include "physics/model/angles.h"
 #include "physics/model/breaks.h"
+#include "physics/model/points.h"
 #include "plugin/call/call.h"
 
 static TinkerShaftLook look_new(const TinkerModel *model)

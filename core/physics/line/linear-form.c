@@ -2,6 +2,7 @@
 #include "physics/line/linear-form.h"
 #include "physics/line/linear-form-data.h"
 #include "physics/model/model-data.h"
+#include "physics/model/points.h"
 
 #include <math.h>
 #include <string.h>

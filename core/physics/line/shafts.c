@@ -10,6 +10,7 @@
 
 #include "numerics/solve/disjoint-sets.h"
 #include "physics/line/shafts.h"
+#include "physics/model/points.h"
 
 /* Numbers the shafts, and gives every body its weight. */
 static void number_shafts(TinkerLinearForm *form, TinkerShaftLook *look)

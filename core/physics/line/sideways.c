@@ -10,6 +10,7 @@
 #include "physics/line/linear-form-data.h"
 #include "physics/line/tolerances.h"
 #include "physics/model/model-data.h"
+#include "physics/model/points.h"
 
 #define ITERATIONS 400
 

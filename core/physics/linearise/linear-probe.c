@@ -7,6 +7,7 @@
 #include "physics/force/forces.h"
 #include "physics/linearise/tolerances.h"
 #include "physics/model/model-data.h"
+#include "physics/model/points.h"
 #include "physics/record/columns.h"
 #include "physics/record/sampler.h"
 

@@ -1,5 +1,6 @@
 /* The terms that a linearisation is the sum of. */
 #include "physics/linearise/linearise-private.h"
+#include "physics/model/points.h"
 
 void tinker_linear_begin_term(const TinkerLinearisation *linear, GArray *terms, double weight)
 {

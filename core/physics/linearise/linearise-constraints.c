@@ -8,6 +8,7 @@
 #include "physics/linearise/linearise-private.h"
 #include "physics/linearise/tolerances.h"
 #include "physics/model/angles.h"
+#include "physics/model/points.h"
 
 /* A row of the constraints, for the Jacobian evaluated last. */
 static void add_row(TinkerLinearisation *linear, const TinkerConstraints *all, int32_t row)

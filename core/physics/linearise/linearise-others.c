@@ -5,6 +5,7 @@
 
 #include "physics/linearise/linearise-private.h"
 #include "physics/linearise/tolerances.h"
+#include "physics/model/failures.h"
 #include "physics/model/model-data.h"
 #include "physics/system/jacobian.h"
 

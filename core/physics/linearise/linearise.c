@@ -13,6 +13,8 @@
 #include "physics/force/forces.h"
 #include "physics/linearise/linearise-private.h"
 #include "physics/model/model-data.h"
+#include "physics/model/points.h"
+#include "physics/model/state.h"
 
 /* Holding ---------------------------------------------------------------------------------------------------------- */
 

@@ -1,5 +1,6 @@
 /* Poses of ends, for plugins that speak of angles. */
 #include "physics/model/angles.h"
+#include "physics/model/points.h"
 
 #include <string.h>
 

@@ -1,7 +1,8 @@
 /* Sentences about what a plugin did wrong, as the failure of the model. */
+#include "physics/model/failures.h"
+
 #include <glib/gi18n-lib.h>
 
-#include "physics/model/model-data.h"
 #include "plugin/call/guarded.h"
 #include "plugin/call/words.h"
 

@@ -1,6 +1,4 @@
-/* What can be asked of a compiled model. */
-#include <math.h>
-
+/* What can be asked of a compiled model, and what plugins are shown of it. */
 #include "physics/model/model-data.h"
 
 /* Two runs may fail on two threads at once, and what G_DEFINE_QUARK keeps would be written by both. */
@@ -14,31 +12,40 @@ const GPtrArray *tinker_model_warnings(const TinkerModel *model)
     return model->warnings;
 }
 
-void tinker_model_start_place(const TinkerModel *model, int32_t point, double place[2])
-{
-    if (point < model->bodies) {
-        place[0] = model->q_start[2 * point];
-        place[1] = model->q_start[2 * point + 1];
-        return;
-    }
-    const TinkerAttachment *at = tinker_model_attachment(model, point);
-    place[0] = at->x;
-    place[1] = at->y;
-    if (at->body < 0) return;
-    const double angle = tinker_model_angle(model, at->body, model->q_start), c = cos(angle), s = sin(angle);
-    if (at->turn) {
-        place[0] = angle;
-        return;
-    }
-    place[0] = model->q_start[2 * at->body] + c * at->x - s * at->y;
-    place[1] = model->q_start[2 * at->body + 1] + s * at->x + c * at->y;
-}
-
 const int32_t *tinker_model_end_points(const TinkerModel *model, const TinkerBlockBatch *batch)
 {
     guint number;
     if (!g_ptr_array_find(model->batches, batch, &number)) return NULL;
     return model->end_points[number];
+}
+
+TinkerBatch tinker_model_view(const TinkerModel *model, const TinkerBlockBatch *batch, int32_t first, int32_t count,
+                              const double **columns)
+{
+    for (int32_t column = 0; column < batch->block_class->column_count; column++)
+        columns[column] = batch->columns[column] + first;
+    for (int32_t i = 0; batch->ends < 0 && i <= count; i++)
+        model->chunk_offsets[i] = batch->end_offsets[first + i] - batch->end_offsets[first];
+    return (TinkerBatch){
+        .struct_size = sizeof(TinkerBatch),
+        .first = first,
+        .count = count,
+        .ends = batch->ends,
+        .end_offsets = batch->ends < 0 ? model->chunk_offsets : NULL,
+        .columns = columns,
+        .scratch = batch->scratch,
+        .time = model->time,
+        .origin = {model->origin[0], model->origin[1]},
+        .failed_instance = -1,
+        .law_count = batch->law_count,
+        .point_list_count = batch->point_list_count,
+        .point_lists =
+            batch->point_lists != NULL ? batch->point_lists + (gsize)first * (gsize)batch->point_list_count : NULL,
+        .end_masses = batch->end_masses != NULL ? batch->end_masses + batch->end_offsets[first] : NULL,
+        .laws = batch->laws != NULL
+                    ? (const struct TinkerTypedLaw *const *)batch->laws + (gsize)first * (gsize)batch->law_count
+                    : NULL,
+    };
 }
 
 int32_t tinker_model_book_index(const TinkerModel *model, TinkerBook book)

@@ -10,6 +10,8 @@
 #include "physics/impulse/impulse.h"
 #include "physics/line/linear-form.h"
 #include "physics/model/model-data.h"
+#include "physics/model/points.h"
+#include "physics/model/state.h"
 #include "physics/plan/islands.h"
 #include "physics/plan/plan-private.h"
 #include "physics/plan/plan.h"

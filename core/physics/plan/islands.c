@@ -6,6 +6,7 @@
 #include "physics/contact/contacts.h"
 #include "physics/line/linear-form.h"
 #include "physics/model/model-data.h"
+#include "physics/model/points.h"
 #include "physics/plan/partition.h"
 #include "plugin/call/process-state.h"
 

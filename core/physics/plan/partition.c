@@ -9,6 +9,7 @@
 #include "numerics/solve/disjoint-sets.h"
 #include "physics/contact/contacts.h"
 #include "physics/model/model-data.h"
+#include "physics/model/points.h"
 
 /* So many plates are held by all sets together: behind that the sets that may come upon them become one. */
 #define MOST_PLATES 8000000

@@ -1,66 +1,20 @@
-/* Operation counts of whole runs. The constants were measured once, on one machine, by runs of an oscillator, of a
- * stiff chain of fifty masses and of the bundled scenes; they are written down here and never measured again, so that a
- * choice that rests on them is the same everywhere and always. One operation stands for TINKER_SECONDS_PER_OPERATION
- * there. */
+/* What steps methods need for a tolerance, and what they miss by then; the operations of these are counted in
+ * operations.c. The constants were measured once and never again, as there. */
+#include "physics/plan/plan-cost.h"
+
 #include <math.h>
 
 #include "numerics/exact/exact.h"
-#include "numerics/solve/sparse-ldl.h"
-#include "physics/constraint/tolerances.h"
 #include "physics/impulse/impulse.h"
 #include "physics/line/linear-form.h"
-#include "physics/model/model-data.h"
-#include "physics/plan/islands.h"
+#include "physics/plan/operations.h"
 #include "physics/plan/plan-private.h"
-#include "physics/plan/run-options.h"
+#include "physics/plan/row-operations.h"
 #include "physics/plan/tolerances.h"
 #include "physics/system/method-call.h"
 
-/* Of one evaluation: whatever there is, and for each part of the model. */
-#define PER_EVALUATION 140.0
-#define PER_LINE       14.0
-#define PER_BODY       8.0
-#define PER_ASKED      80.0 /* an instance whose plugin is asked */
-#define PER_FIELD_BODY 24.0 /* each asked field, a body */
-#define PER_EDGE       8.0  /* of a linear form */
-/* Of constraint rows: Jacobian, factor, solve; along a chain of rods, and of bodies that pins tie. */
-#define PER_ROD_ROW 45.0
-#define PER_PIN_ROW 110.0
-/* Of rows that are solved by the general factor. */
-#define PER_JACOBIAN 48.0 /* a row, by itself */
-#define PER_PRODUCT  4.0  /* an entry's with another's */
-#define PER_UPDATE   3.0  /* what a column takes off another of the factor */
-#define PER_FILL     16.0 /* an entry of the factor, in each round of a solve */
-#define PER_ENTRY    8.0  /* an entry of the Jacobian, likewise */
-/* Solves within a run take fewer rounds than one for any motion; refining many rows adds a share of them. */
-#define ROUNDS_WITHIN  0.6
-#define REFINED_ROUNDS 1.5
-/* Of one step: watching it, and for each coordinate the method's own sums over its stages. */
-#define PER_STEP             60.0
-#define PER_STAGE_COORDINATE 4.0
-/* Bringing a step back onto constraint rows, and each Newton step for it. Of a chain, a row, whose factor is at hand;
- * of other rows this share of evaluating them. */
-#define PER_ROD_PROJECTION 55.0
-#define PER_ROD_CORRECTION 30.0
-#define PER_PIN_PROJECTION 20.0
-#define PER_PIN_CORRECTION 85.0
-#define PROJECTION         0.5
-#define CORRECTION         1.0
 /* Newton steps of a step, before any are counted. */
 #define CORRECTIONS 1.0
-/* A sample: dense output. */
-#define PER_SAMPLE            80.0
-#define PER_SAMPLE_COORDINATE 10.0
-/* It is brought onto constraint rows and its accelerations are solved for; then the step's factor is made once more. */
-#define SAMPLE_ROWS 2.5
-/* An exact solution under forces, or with uneven damping: its series, at a sample and twice in a step. */
-#define PER_SERIES      5500.0
-#define SERIES_PER_STEP 2.0
-/* A state that is looked at in search of contacts. */
-#define PER_LOOK 4000.0
-/* Newton steps of an implicit method on a law that is not linear, and what the Jacobian costs in evaluations. */
-#define NEWTON_STEPS   2.5
-#define JACOBIAN_SHARE 4.0
 /* Nonlinear motion gets faster than its start: pendulums, chains and linkages of the bundled scenes by about this. */
 #define NONLINEAR_HASTE 4.0
 /* Local errors that a run adds up are measured over this many radians. */
@@ -77,99 +31,6 @@ static const Adaptive adaptives[] = {
     {"dop853", 2.98, 8, 1.0},
     {"dopri5", 25.8, 5, 17.0},
 };
-
-static int32_t coordinates(const TinkerIsland *island)
-{
-    return island->linear != NULL ? tinker_linear_form_system(island->linear)->size : island->model->coordinates;
-}
-
-static double asked(const GArray *batches, double per_instance)
-{
-    double sum = 0;
-    for (guint i = 0; i < batches->len; i++)
-        sum += per_instance * g_array_index(batches, TinkerAskedBatch, i).batch->count;
-    return sum;
-}
-
-/* Of the rounds of one solve beside the first. */
-static double more_rounds(const TinkerConstraints *all)
-{
-    return ROUNDS_WITHIN * all->rounds * (all->rows < TINKER_REFINED_ROWS ? 1 : REFINED_ROUNDS);
-}
-
-/* Operations that rows take for once which their plugins are asked for. */
-static double asked_rows(const TinkerConstraints *all)
-{
-    double called = 0;
-    for (guint i = 0; all->rows > 0 && i < all->batches->len; i++) {
-        const TinkerConstraintBatch *part = &g_array_index(all->batches, TinkerConstraintBatch, i);
-        if (part->distances == NULL && !part->coincident) called += PER_ASKED * part->batch->count;
-    }
-    return called;
-}
-
-/* Whether rows cost what those of a chain of rods do: each is of one or two points, and their factor has no fill. */
-static gboolean are_of_rods(const TinkerConstraints *all)
-{
-    if (all->chains != NULL || all->rows == 0) return TRUE;
-    return all->pin_chains == NULL && all->turn_count == 0 && all->entries <= 2 * all->rows &&
-           tinker_sparse_ldl_fill(all->ldl) <= (gsize)all->rows;
-}
-
-/* Operations that constraint rows take for once: Jacobian, factor, solve. */
-static double row_operations(const TinkerModel *model)
-{
-    const TinkerConstraints *all = &model->constraints;
-    const double called = asked_rows(all);
-    if (are_of_rods(all)) return called + PER_ROD_ROW * all->rows;
-    if (all->pin_chains != NULL) return called + PER_PIN_ROW * all->rows;
-    const double products = (double)(all->product_count + all->turn_product_count),
-                 updates = (double)tinker_sparse_ldl_updates(all->ldl), fill = (double)tinker_sparse_ldl_fill(all->ldl);
-    return called + PER_JACOBIAN * all->rows + PER_PRODUCT * products + PER_UPDATE * updates +
-           (1 + more_rounds(all)) * (PER_FILL * fill + PER_ENTRY * (all->entries + all->turn_count));
-}
-
-/* Operations that one Newton step towards constraint rows takes, and what comes before and behind them in a step. */
-static double correction_operations(const TinkerModel *model)
-{
-    const TinkerConstraints *all = &model->constraints;
-    if (are_of_rods(all)) return asked_rows(all) + PER_ROD_CORRECTION * all->rows;
-    if (all->pin_chains != NULL) return asked_rows(all) + PER_PIN_CORRECTION * all->rows;
-    return CORRECTION * row_operations(model);
-}
-
-static double projection_operations(const TinkerModel *model)
-{
-    const TinkerConstraints *all = &model->constraints;
-    if (are_of_rods(all)) return asked_rows(all) + PER_ROD_PROJECTION * all->rows;
-    if (all->pin_chains != NULL) return asked_rows(all) + PER_PIN_PROJECTION * all->rows;
-    return PROJECTION * row_operations(model);
-}
-
-/* Operations of one evaluation of an island's accelerations. */
-static double evaluation_cost(const TinkerIsland *island)
-{
-    const TinkerModel *model = island->model;
-    if (island->linear != NULL) {
-        const TinkerLinearSystem *linear = tinker_linear_form_system(island->linear);
-        return PER_EVALUATION + PER_EDGE * linear->edge_count + 0.5 * PER_BODY * linear->size;
-    }
-    return PER_EVALUATION + PER_LINE * model->lines.count + PER_BODY * model->bodies +
-           asked(model->asked_lines, PER_ASKED) + asked(model->asked_forces, PER_ASKED) +
-           PER_FIELD_BODY * model->asked_fields->len * model->bodies + row_operations(model);
-}
-
-static double sample_operations(const TinkerIsland *island)
-{
-    return PER_SAMPLE + PER_SAMPLE_COORDINATE * coordinates(island) + SAMPLE_ROWS * row_operations(island->model);
-}
-
-/* Of so many steps with so many evaluations in them, less their Newton steps towards constraint rows. */
-static double explicit_operations(const TinkerIsland *island, double steps, double evaluations)
-{
-    return steps * (PER_STEP + projection_operations(island->model)) +
-           evaluations * (evaluation_cost(island) + PER_STAGE_COORDINATE * coordinates(island));
-}
 
 /* Explicit, adaptive ----------------------------------------------------------------------------------------------- */
 
@@ -218,9 +79,9 @@ static void cost_adaptive(const TinkerIsland *island, const TinkerForecast *fore
     double rate = fmax(accuracy, limited ? stability_rate(forecast, method) : 0);
     cost->steps = fmax(1.0, duration * rate);
     cost->evaluations = cost->steps * method->evaluations_per_step;
-    cost->operations = explicit_operations(island, cost->steps, cost->evaluations) +
-                       CORRECTIONS * cost->steps * correction_operations(island->model);
-    cost->sample = sample_operations(island);
+    cost->operations = tinker_operations_explicit(island, cost->steps, cost->evaluations) +
+                       CORRECTIONS * cost->steps * tinker_row_operations_of_correction(island->model);
+    cost->sample = tinker_operations_sample(island);
     cost->error = tolerance * known.error * fmax(1.0, frequency * duration / CALIBRATION_RADIANS);
 }
 
@@ -297,25 +158,6 @@ static double wanted_step(const TinkerForecast *forecast, const TinkerIntegrator
     return step;
 }
 
-/* Of one solve: a chain or tree has a factor of its own size, a mesh one of about the square root's width. */
-static double band_width(const TinkerIsland *island)
-{
-    const TinkerModel *model = island->model;
-    double axes = island->linear != NULL && coordinates(island) == model->bodies ? 1 : 2, inner = 0;
-    for (int32_t i = 0; i < model->lines.count; i++)
-        inner += MAX(model->lines.a[i], model->lines.b[i]) < model->bodies;
-    return inner < model->bodies ? axes : axes * sqrt((double)MAX(model->bodies, 1));
-}
-
-static double implicit_step_operations(const TinkerIsland *island)
-{
-    double n = coordinates(island), width = band_width(island), evaluation = evaluation_cost(island);
-    double solve = n * (4 * width + 20), factor = n * (2 * width * width + 8);
-    if (island->linear != NULL) return PER_STEP + evaluation + solve + PER_STAGE_COORDINATE * n;
-    return PER_STEP + NEWTON_STEPS * ((1 + JACOBIAN_SHARE) * evaluation + factor + solve) +
-           projection_operations(island->model) + PER_STAGE_COORDINATE * n;
-}
-
 static void cost_fixed(const TinkerIsland *island, const TinkerForecast *forecast, const TinkerIntegrator *method,
                        const TinkerRunOptions *options, double tolerance, TinkerCost *cost)
 {
@@ -323,10 +165,10 @@ static void cost_fixed(const TinkerIsland *island, const TinkerForecast *forecas
     if (!(cost->step > 0)) cost->step = wanted_step(forecast, method, options, tolerance);
     cost->steps = fmax(1.0, tinker_options_span(options) / cost->step);
     cost->evaluations = cost->steps * method->evaluations_per_step;
-    cost->operations = implicit ? cost->steps * implicit_step_operations(island)
-                                : explicit_operations(island, cost->steps, cost->evaluations);
-    cost->operations += CORRECTIONS * cost->steps * correction_operations(island->model);
-    cost->sample = sample_operations(island);
+    cost->operations = implicit ? cost->steps * tinker_operations_implicit(island)
+                                : tinker_operations_explicit(island, cost->steps, cost->evaluations);
+    cost->operations += CORRECTIONS * cost->steps * tinker_row_operations_of_correction(island->model);
+    cost->sample = tinker_operations_sample(island);
     cost->error = fixed_error(forecast, method, options, cost->step);
 }
 
@@ -339,25 +181,12 @@ double tinker_cost_interval(const TinkerIsland *island, const TinkerRunOptions *
                                  span > 0 ? span : 1.0);
 }
 
-static double exact_operations(const TinkerIsland *island, double steps)
-{
-    double once = 0;
-    double each = tinker_exact_operations(tinker_linear_form_system(island->linear), (gint64)steps, &once);
-    return once + each + steps * PER_STEP;
-}
-
-/* A sample is one more propagator. */
-static double exact_sample_operations(const TinkerIsland *island)
-{
-    return sample_operations(island) + tinker_exact_operations(tinker_linear_form_system(island->linear), 1, NULL);
-}
-
 static void cost_exact(const TinkerIsland *island, const TinkerRunOptions *options, TinkerCost *cost)
 {
     const TinkerLinearSystem *linear = tinker_linear_form_system(island->linear);
     cost->steps = ceil(tinker_options_span(options) / tinker_cost_interval(island, options));
-    cost->operations = exact_operations(island, cost->steps);
-    cost->sample = exact_sample_operations(island);
+    cost->operations = tinker_operations_exact(island, cost->steps);
+    cost->sample = tinker_operations_exact_sample(island);
     cost->error = tinker_exact_claimed_error(linear, tinker_options_span(options));
 }
 
@@ -376,42 +205,6 @@ gboolean tinker_cost_of(const TinkerIsland *island, const TinkerForecast *foreca
         cost_fixed(island, forecast, method, options, tolerance, cost);
     }
     return TRUE;
-}
-
-static gboolean needs_series(const TinkerIsland *island)
-{
-    const TinkerLinearSystem *linear = tinker_linear_form_system(island->linear);
-    return linear->force_count + linear->motion_count > 0 || !tinker_exact_is_proportional(linear);
-}
-
-TinkerCostRates tinker_cost_rates(const TinkerIsland *island, const TinkerIntegrator *method)
-{
-    TinkerCostRates rates = {.look = PER_LOOK, .correction = correction_operations(island->model)};
-    if (method->flags & TINKER_INTEGRATOR_IMPLICIT) {
-        rates.step = implicit_step_operations(island);
-        return rates;
-    }
-    rates.evaluation = explicit_operations(island, 0, 1);
-    if (!(method->flags & TINKER_INTEGRATOR_LINEAR)) {
-        rates.step = explicit_operations(island, 1, 0);
-        return rates;
-    }
-    const double series = needs_series(island) ? SERIES_PER_STEP * PER_SERIES : 0;
-    rates.step = series + PER_STEP + tinker_exact_operations(tinker_linear_form_system(island->linear), 1, &rates.once);
-    return rates;
-}
-
-double tinker_cost_counted(const TinkerCostRates *rates, const TinkerCounts *counts)
-{
-    return rates->once + rates->step * counts->steps + rates->evaluation * counts->evaluations +
-           rates->look * counts->looks + rates->correction * counts->corrections;
-}
-
-double tinker_cost_samples(const TinkerIsland *island, const TinkerIntegrator *method, double samples)
-{
-    if (!(method->flags & TINKER_INTEGRATOR_LINEAR)) return samples * sample_operations(island);
-    const double series = needs_series(island) ? PER_SERIES : 0;
-    return samples * (exact_sample_operations(island) + series);
 }
 
 double tinker_round_down(double x)

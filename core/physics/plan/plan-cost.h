@@ -15,9 +15,6 @@ typedef struct {
     double error;       /* relative to the scales */
 } TinkerCost;
 
-/* Seconds that an operation takes on the machine that the counts were calibrated on. */
-#define TINKER_SECONDS_PER_OPERATION 2.5e-10
-
 /* The tolerance that an explicit adaptive method keeps at the same cost, as stability makes its steps small anyway: at
  * most the one asked for. Energies that strong dampers take are known far worse than places are at a loose one. */
 double tinker_free_tolerance(const TinkerIsland *island, const TinkerForecast *forecast, const TinkerIntegrator *method,
@@ -27,24 +24,6 @@ double tinker_free_tolerance(const TinkerIsland *island, const TinkerForecast *f
  * FALSE where the method does not suit the island. */
 gboolean tinker_cost_of(const TinkerIsland *island, const TinkerForecast *forecast, const TinkerIntegrator *method,
                         const TinkerRunOptions *options, double step, double tolerance, TinkerCost *cost);
-
-/* What was counted of a run, or is expected. */
-typedef struct {
-    double steps, evaluations;
-    double looks;       /* states that were looked at in search of contacts */
-    double corrections; /* Newton steps by which positions came back onto constraint rows */
-} TinkerCounts;
-
-/* Operations of each thing that is counted, and before the first. */
-typedef struct {
-    double once, step, evaluation, look, correction;
-} TinkerCostRates;
-
-/* Those of a method that suits the island. */
-TinkerCostRates tinker_cost_rates(const TinkerIsland *island, const TinkerIntegrator *method);
-/* Operations of what was counted; and of samples, by a method that suits the island. */
-double tinker_cost_counted(const TinkerCostRates *rates, const TinkerCounts *counts);
-double tinker_cost_samples(const TinkerIsland *island, const TinkerIntegrator *method, double samples);
 
 /* The interval (s) of an exact solution of a linear island: see tinker_exact_interval. */
 double tinker_cost_interval(const TinkerIsland *island, const TinkerRunOptions *options);

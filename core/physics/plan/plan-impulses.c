@@ -4,6 +4,7 @@
 
 #include "physics/contact/contacts.h"
 #include "physics/model/model-data.h"
+#include "physics/model/points.h"
 #include "physics/plan/islands.h"
 #include "physics/plan/plan-private.h"
 

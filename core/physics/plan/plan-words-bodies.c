@@ -3,6 +3,7 @@
 
 #include "physics/contact/contacts.h"
 #include "physics/model/model-data.h"
+#include "physics/model/points.h"
 #include "physics/plan/plan-words-private.h"
 #include "scene/frame/small-wheels.h"
 

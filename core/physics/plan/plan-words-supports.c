@@ -5,6 +5,8 @@
 #include "physics/constraint/straight-bars.h"
 #include "physics/contact/contacts.h"
 #include "physics/model/model-data.h"
+#include "physics/model/points.h"
+#include "physics/model/state.h"
 #include "physics/plan/plan-words-private.h"
 
 /* What lies on straight bars, between their ends. */

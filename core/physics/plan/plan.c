@@ -9,7 +9,10 @@
 #include "physics/line/linear-form.h"
 #include "physics/model/breaks.h"
 #include "physics/model/model-data.h"
+#include "physics/model/points.h"
+#include "physics/model/state.h"
 #include "physics/plan/islands.h"
+#include "physics/plan/operations.h"
 #include "physics/plan/plan-private.h"
 #include "physics/plan/run-options.h"
 #include "physics/plan/tolerances.h"
@@ -94,7 +97,7 @@ static TinkerIslandPlan *plan_island(const TinkerIsland *island, const TinkerRun
         .reason = g_strdup(reason->str),
         .expected_error = decision.cost.error,
     };
-    plan->operations += tinker_cost_samples(island, plan->choice.method, tinker_options_samples(options));
+    plan->operations += tinker_operations_samples(island, plan->choice.method, tinker_options_samples(options));
     plan->expected_s = plan->operations * TINKER_SECONDS_PER_OPERATION;
     plan->spectrum = g_steal_pointer(&spectrum);
     plan->shafts = island->linear != NULL && tinker_linear_form_is_of_shafts(island->linear);

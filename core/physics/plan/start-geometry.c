@@ -4,6 +4,8 @@
 
 #include "physics/constraint/constraints.h"
 #include "physics/model/angles.h"
+#include "physics/model/points.h"
+#include "physics/model/state.h"
 
 /* Of a row's length: differences of its Jacobian. */
 #define DIFFERENCE 1e-6

@@ -9,6 +9,8 @@
 #include "physics/constraint/constraints.h"
 #include "physics/force/forces.h"
 #include "physics/line/linear-form.h"
+#include "physics/model/points.h"
+#include "physics/model/state.h"
 #include "physics/plan/start-matrices-private.h"
 #include "physics/plan/tolerances.h"
 

@@ -5,6 +5,7 @@
 
 #include "physics/force/forces.h"
 #include "physics/model/model-data.h"
+#include "physics/model/points.h"
 #include "physics/record/columns.h"
 #include "physics/system/books.h"
 

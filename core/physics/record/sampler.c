@@ -11,6 +11,9 @@
 #include "physics/force/forces.h"
 #include "physics/impulse/impulse.h"
 #include "physics/model/angles.h"
+#include "physics/model/failures.h"
+#include "physics/model/points.h"
+#include "physics/model/state.h"
 #include "physics/record/columns.h"
 #include "physics/record/implied.h"
 

@@ -8,6 +8,8 @@
 #include "numerics/roots/quadrature.h"
 #include "physics/force/forces.h"
 #include "physics/model/model-data.h"
+#include "physics/model/points.h"
+#include "physics/model/state.h"
 #include "physics/record/columns.h"
 #include "physics/run/tolerances.h"
 

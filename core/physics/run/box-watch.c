@@ -7,6 +7,7 @@
 #include <stdlib.h>
 
 #include "physics/model/model-data.h"
+#include "physics/model/points.h"
 #include "scene/frame/boxes.h"
 #include "scene/frame/tops.h"
 

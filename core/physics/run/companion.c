@@ -4,6 +4,7 @@
 #include "physics/island/island-run.h"
 #include "physics/line/linear-form.h"
 #include "physics/model/model-data.h"
+#include "physics/model/state.h"
 #include "physics/plan/plan.h"
 #include "physics/plan/run-options.h"
 #include "physics/run/tolerances.h"

@@ -5,6 +5,7 @@
 
 #include "physics/island/island-run.h"
 #include "physics/model/model-data.h"
+#include "physics/model/points.h"
 #include "physics/system/method-call.h"
 
 void comparison_look_at_point(TinkerComparison *self, ComparisonPart *part, TinkerIslandRun *other)

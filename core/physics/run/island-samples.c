@@ -9,6 +9,7 @@
 #include "physics/island/island-run.h"
 #include "physics/model/breaks.h"
 #include "physics/model/model-data.h"
+#include "physics/model/points.h"
 #include "physics/run/island-samples.h"
 #include "physics/run/tolerances.h"
 #include "physics/system/method-call.h"

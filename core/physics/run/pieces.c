@@ -11,6 +11,8 @@
 #include "physics/island/island-run.h"
 #include "physics/model/breaks.h"
 #include "physics/model/model-data.h"
+#include "physics/model/points.h"
+#include "physics/model/state.h"
 #include "physics/run/island-steps.h"
 #include "physics/run/tolerances.h"
 #include "physics/system/method-call.h"

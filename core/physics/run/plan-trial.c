@@ -5,7 +5,7 @@
 #include "physics/event/contact-run.h"
 #include "physics/island/island-run.h"
 #include "physics/plan/islands.h"
-#include "physics/plan/plan-cost.h"
+#include "physics/plan/operations.h"
 #include "physics/plan/plan.h"
 #include "physics/plan/run-options.h"
 #include "physics/run/island-steps.h"
@@ -37,7 +37,7 @@ static void unread_clear(TinkerSummary *unread)
 }
 
 /* Steps until the end or the limit; where a run stops by itself, it has come to its end, too. */
-static TinkerTrial make_steps(TinkerIslandRun *run, const TinkerCostRates *rates, double end, double operations)
+static TinkerTrial make_steps(TinkerIslandRun *run, const TinkerOperationRates *rates, double end, double operations)
 {
     TinkerTrial made = {0};
     gboolean stopped = FALSE;
@@ -47,7 +47,7 @@ static TinkerTrial make_steps(TinkerIslandRun *run, const TinkerCostRates *rates
         made.counts.evaluations = (double)run->model->evaluations;
         made.counts.corrections = (double)run->model->corrections;
         if (run->contacts != NULL) made.counts.looks = (double)tinker_contact_run_looks(run->contacts);
-        if (tinker_cost_counted(rates, &made.counts) > operations) break;
+        if (tinker_operations_counted(rates, &made.counts) > operations) break;
     }
     made.share = stopped || run->state.t >= end ? 1 : run->state.t / end;
     return made;
@@ -56,7 +56,7 @@ static TinkerTrial make_steps(TinkerIslandRun *run, const TinkerCostRates *rates
 /* Steps an island by `choice` until the run's end, or until about `operations` have been spent on it. By counts alone:
  * the same scene has the same trial on every machine. */
 static TinkerTrial make_trial(const TinkerIsland *island, const TinkerChoice *choice, const TinkerRunOptions *options,
-                              const TinkerCostRates *rates, double operations)
+                              const TinkerOperationRates *rates, double operations)
 {
     const double end = tinker_options_span(options);
     TinkerTrial made = {0};
@@ -74,14 +74,14 @@ static TinkerTrial make_trial(const TinkerIsland *island, const TinkerChoice *ch
 static void count_run(TinkerIslandPlan *plan, const TinkerIsland *island, const TinkerRunOptions *options,
                       double operations)
 {
-    const TinkerCostRates rates = tinker_cost_rates(island, plan->choice.method);
+    const TinkerOperationRates rates = tinker_operations_rates(island, plan->choice.method);
     const TinkerTrial trial = make_trial(island, &plan->choice, options, &rates, operations);
     if (!(trial.share > 0)) return;
     const TinkerCounts whole = {trial.counts.steps / trial.share, trial.counts.evaluations / trial.share,
                                 trial.counts.looks / trial.share, trial.counts.corrections / trial.share};
     plan->evaluations = whole.evaluations;
-    plan->operations = tinker_cost_counted(&rates, &whole) +
-                       tinker_cost_samples(island, plan->choice.method, tinker_options_samples(options));
+    plan->operations = tinker_operations_counted(&rates, &whole) +
+                       tinker_operations_samples(island, plan->choice.method, tinker_options_samples(options));
     plan->expected_s = plan->operations * TINKER_SECONDS_PER_OPERATION;
 }
 

@@ -8,6 +8,7 @@
 #include "physics/event/law-watch.h"
 #include "physics/island/island-run.h"
 #include "physics/island/stability-watch.h"
+#include "physics/model/failures.h"
 #include "physics/model/model-data.h"
 #include "physics/plan/guard.h"
 #include "physics/run/island-steps.h"

@@ -2,6 +2,7 @@
 #include "physics/system/books.h"
 #include "physics/force/forces.h"
 #include "physics/model/model-data.h"
+#include "physics/model/state.h"
 #include "physics/system/summary.h"
 #include "physics/system/system.h"
 

@@ -13,6 +13,7 @@
 #include "physics/contact/contacts.h"
 #include "physics/force/forces.h"
 #include "physics/model/model-data.h"
+#include "physics/model/state.h"
 #include "physics/system/system.h"
 #include "physics/system/tolerances.h"
 

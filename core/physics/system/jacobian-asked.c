@@ -2,6 +2,7 @@
 #include <math.h>
 
 #include "physics/model/angles.h"
+#include "physics/model/failures.h"
 #include "physics/system/jacobian-private.h"
 #include "physics/system/jacobian.h"
 #include "physics/system/tolerances.h"

@@ -2,6 +2,7 @@
 #include "physics/constraint/constraints.h"
 #include "physics/force/forces.h"
 #include "physics/model/model-data.h"
+#include "physics/model/points.h"
 #include "physics/system/jacobian-private.h"
 
 int32_t tinker_jacobian_find_entry(const TinkerJacobian *self, int32_t row, int32_t column)

@@ -5,6 +5,8 @@
 #include "physics/contact/contacts.h"
 #include "physics/force/derivatives.h"
 #include "physics/model/model-data.h"
+#include "physics/model/points.h"
+#include "physics/model/state.h"
 #include "physics/system/jacobian-private.h"
 #include "physics/system/jacobian.h"
 

@@ -6,6 +6,7 @@
 #include "physics/line/linear-form-data.h"
 #include "physics/line/linear-form.h"
 #include "physics/model/model-data.h"
+#include "physics/model/state.h"
 #include "physics/system/system.h"
 
 static double pull(const TinkerStraightEdge *edge, double d, double speed)

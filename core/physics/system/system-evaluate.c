@@ -4,6 +4,7 @@
 #include "physics/constraint/constraints.h"
 #include "physics/contact/contacts.h"
 #include "physics/force/forces.h"
+#include "physics/model/state.h"
 #include "physics/system/system-private.h"
 
 static void write_books(const TinkerModelSystem *self, double *power)

@@ -3,6 +3,7 @@
 
 #include "physics/constraint/constraints.h"
 #include "physics/contact/contacts.h"
+#include "physics/model/state.h"
 #include "physics/system/hold-energy.h"
 #include "physics/system/system-private.h"
 

@@ -4,6 +4,7 @@
 
 #include "physics/constraint/constraints.h"
 #include "physics/force/forces.h"
+#include "physics/model/state.h"
 #include "physics/system/system-private.h"
 
 const char *const tinker_method_swapped_state =

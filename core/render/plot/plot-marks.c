@@ -12,17 +12,12 @@
 #define BUBBLE_GAP    8.0 /* from the point */
 #define BUBBLE_CORNER 4.0
 
-static void set_colour(cairo_t *cairo, const double colour[4], double share)
-{
-    cairo_set_source_rgba(cairo, colour[0], colour[1], colour[2], share * colour[3]);
-}
-
 /* A dot in the curve's colour, with a rim that parts it from its curve. */
 static void draw_dot(cairo_t *cairo, const TinkerPlotLayout *layout, const TinkerCurve *curve, double x, double y)
 {
     cairo_new_path(cairo);
     cairo_arc(cairo, x, y, DOT_RADIUS + DOT_RIM, 0, 2 * G_PI);
-    set_colour(cairo, layout->theme->background, 1);
+    tinker_plot_set_colour(cairo, layout->theme->background, 1);
     cairo_fill(cairo);
     cairo_arc(cairo, x, y, DOT_RADIUS, 0, 2 * G_PI);
     tinker_plot_set_curve_style(cairo, layout, curve);
@@ -71,7 +66,7 @@ void tinker_plot_draw_cursor(cairo_t *cairo, const TinkerPlotLayout *layout)
     cairo_set_dash(cairo, NULL, 0, 0);
     cairo_set_line_cap(cairo, CAIRO_LINE_CAP_BUTT);
     cairo_set_line_width(cairo, 1);
-    set_colour(cairo, layout->theme->axis, CURSOR_SHARE);
+    tinker_plot_set_colour(cairo, layout->theme->axis, CURSOR_SHARE);
     cairo_move_to(cairo, floor(x) + 0.5, layout->top);
     cairo_line_to(cairo, floor(x) + 0.5, layout->bottom);
     cairo_stroke(cairo);
@@ -154,13 +149,13 @@ static void draw_bubble(cairo_t *cairo, const TinkerPlotLayout *layout, const do
     double y = box[1] + BUBBLE_INNER;
     rounded_box(cairo, (double[]){floor(box[0]) + 0.5, floor(box[1]) + 0.5, floor(box[2]) - 0.5, floor(box[3]) - 0.5},
                 BUBBLE_CORNER);
-    set_colour(cairo, layout->theme->background, 0.94);
+    tinker_plot_set_colour(cairo, layout->theme->background, 0.94);
     cairo_fill_preserve(cairo);
-    set_colour(cairo, layout->theme->axis, 0.6);
+    tinker_plot_set_colour(cairo, layout->theme->axis, 0.6);
     cairo_set_dash(cairo, NULL, 0, 0);
     cairo_set_line_width(cairo, 1);
     cairo_stroke(cairo);
-    set_colour(cairo, layout->theme->colours[TINKER_COLOUR_TEXT], 1);
+    tinker_plot_set_colour(cairo, layout->theme->colours[TINKER_COLOUR_TEXT], 1);
     for (gsize i = 0; i < G_N_ELEMENTS(words); i++) {
         double width, height;
         if (!words[i]) continue;

@@ -123,10 +123,23 @@ typedef struct {
 void tinker_plot_trace(cairo_t *cairo, const double (*points)[2], gsize count, double width, GArray *solids);
 void tinker_plot_fill_solids(cairo_t *cairo, const GArray *solids);
 
+static inline void tinker_plot_set_colour(cairo_t *cairo, const double colour[4], double share)
+{
+    cairo_set_source_rgba(cairo, colour[0], colour[1], colour[2], share * colour[3]);
+}
+
+/* What stands about the curves; plot-frame.c. `no_data` stands in their place. */
+void tinker_plot_draw_grid(cairo_t *cairo, const TinkerPlotLayout *layout);
+void tinker_plot_draw_frame(cairo_t *cairo, const TinkerPlotLayout *layout);
+void tinker_plot_draw_texts(cairo_t *cairo, const TinkerPlotLayout *layout);
+void tinker_plot_draw_no_data(cairo_t *cairo, const TinkerPlotLayout *layout);
+
 void tinker_plot_draw_band(cairo_t *cairo, const TinkerPlotLayout *layout, const TinkerCurve *curve,
                            double column_width);
 void tinker_plot_draw_curve(cairo_t *cairo, const TinkerPlotLayout *layout, const TinkerCurve *curve,
                             double column_width);
+/* Of data: its own among the theme's. */
+const double *tinker_plot_curve_colour(const TinkerPlotLayout *layout, const TinkerCurve *curve);
 /* Colour, line style and mark of a curve, for the curve itself and the legend's sample. */
 void tinker_plot_set_curve_style(cairo_t *cairo, const TinkerPlotLayout *layout, const TinkerCurve *curve);
 void tinker_plot_draw_marker(cairo_t *cairo, const TinkerCurve *curve, double x, double y);
@@ -136,9 +149,9 @@ gboolean tinker_plot_has_line(const TinkerCurve *curve);
 /* Finds a place for the legend; OUTSIDE and ABOVE where the rectangle of the curves must give way for it. */
 void tinker_plot_place_legend(TinkerPlotLayout *layout);
 void tinker_plot_draw_legend(cairo_t *cairo, const TinkerPlotLayout *layout);
-/* Whether it leaves out something of what the curves are called. */
 /* The curve whose entry is at a place of the canvas; -1: none. */
 int tinker_plot_legend_curve(const TinkerPlotLayout *layout, double x, double y);
+/* Whether it leaves out something of what the curves are called. */
 gboolean tinker_plot_shortens_legend(const TinkerPlotLayout *layout);
 
 /* The cursor with its dots; plot-marks.c. */

@@ -4,7 +4,7 @@
 
 #include "cli/report/books-report.h"
 #include "cli/report/text-table.h"
-#include "common/diagram/books-picture.h"
+#include "common/diagram/books-accounts.h"
 #include "common/program/csv-writer.h"
 #include "common/program/print.h"
 

@@ -22,7 +22,4 @@ typedef struct {
 /* Draws them over all of width and height; `data` is a TinkerBooksPicture. */
 void tinker_books_draw(cairo_t *cairo, double width, double height, void *data);
 
-/* The point that angular impulse and momentum are about: "the origin", "(1 m, 2 m)". (transfer full) */
-char *tinker_books_about(const TinkerBooks *books, TinkerScene *scene);
-
 #endif

@@ -107,6 +107,14 @@ void canvas_follow(TinkerCanvas *canvas);
 
 /* Sets up gestures, controllers and keys; canvas-input.c. */
 void canvas_add_input(TinkerCanvas *canvas);
+/* The gesture of the primary button; canvas-drag.c. */
+void canvas_add_drag(TinkerCanvas *canvas);
+
+/* What lies under a point, fields in their corner too; canvas-hit.c. `handles`: those of what is selected come first,
+ * for only they are drawn, and only of the scene as placed; that of a force can be taken while it plays. */
+TinkerHit canvas_hit_at(TinkerCanvas *canvas, double x, double y, gboolean handles);
+/* A force may be taken by its handle while the scene plays: what it becomes acts from then on. */
+gboolean canvas_acts_at_once(TinkerCanvas *canvas, TinkerHit hit);
 
 /* Points at an arrow that is at a place (widget units), else at the block under it; at nothing any more.
  * canvas-point.c. */

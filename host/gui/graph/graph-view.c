@@ -3,28 +3,11 @@
 
 #include <glib/gi18n.h>
 
-#include "gui/curve/graph-edit.h"
-#include "gui/graph/curves-dialog.h"
-#include "gui/graph/graph-export.h"
 #include "gui/graph/graph-looks.h"
-#include "gui/graph/graph-menu.h"
-#include "gui/graph/graph-plot.h"
-#include "gui/text/message.h"
-#include "gui/widget/popup-menu.h"
+#include "gui/graph/graph-view-private.h"
 #include "gui/widget/unparent.h"
 
 #define TELL_US 1000000 /* at most so often is the present value told while it plays */
-
-struct _TinkerGraphView {
-    GtkWidget parent_instance;
-    TinkerDocument *document;
-    TinkerPlayer *player;
-    int number;
-    char *identity; /* block, quantities */
-    gboolean floats, show_values;
-    GtkWidget *bar, *title, *place_button, *plot, *corner;
-    gint64 told; /* us: when the value was told last */
-};
 
 G_DEFINE_FINAL_TYPE(TinkerGraphView, tinker_graph_view, GTK_TYPE_WIDGET)
 
@@ -170,91 +153,6 @@ void tinker_graph_view_set_number(TinkerGraphView *view, int number)
     gtk_widget_action_set_enabled(GTK_WIDGET(view), "graph.float", !graph->has_place);
 }
 
-/* Actions ---------------------------------------------------------------------------------------------------------- */
-
-/* Passes it on to the window, which may take the view away meanwhile. */
-static void edit(GtkWidget *widget, const char *name, GVariant *parameter)
-{
-    static const char *const of_window[][2] = {
-        {"graph.dock", "win.dock-graph"}, {"graph.float", "win.float-graph"}, {"graph.delete", "win.delete-graph"}};
-    g_autoptr(TinkerGraphView) view = g_object_ref(TINKER_GRAPH_VIEW(widget));
-    for (gsize i = 0; i < G_N_ELEMENTS(of_window); i++)
-        if (g_str_equal(of_window[i][0], name)) gtk_widget_activate_action(widget, of_window[i][1], "i", view->number);
-}
-
-static void copy(GtkWidget *widget, const char *name, GVariant *parameter)
-{
-    TinkerGraphView *view = TINKER_GRAPH_VIEW(widget);
-    tinker_graph_copy(widget, tinker_graph_view_data(view), gtk_widget_get_width(view->plot),
-                      gtk_widget_get_height(view->plot));
-}
-
-static void save_image(GtkWidget *widget, const char *name, GVariant *parameter)
-{
-    TinkerGraphView *view = TINKER_GRAPH_VIEW(widget);
-    tinker_graph_save_image(widget, tinker_graph_view_data(view), gtk_widget_get_width(view->plot),
-                            gtk_widget_get_height(view->plot));
-}
-
-static void export_values(GtkWidget *widget, const char *name, GVariant *parameter)
-{
-    tinker_graph_export_values(widget, tinker_graph_view_data(TINKER_GRAPH_VIEW(widget)));
-}
-
-static void edit_curves(GtkWidget *widget, const char *name, GVariant *parameter)
-{
-    TinkerGraphView *view = TINKER_GRAPH_VIEW(widget);
-    tinker_curves_dialog_open(widget, view->document, view->number);
-}
-
-static void show_statistics(GtkWidget *widget, const char *name, GVariant *parameter)
-{
-    TinkerGraphView *view = TINKER_GRAPH_VIEW(widget);
-    TinkerGraphPart part = {0};
-    double seen[2];
-    gboolean is_part = tinker_graph_plot_between_cursors(TINKER_GRAPH_PLOT(view->plot), &part);
-    if (!is_part && tinker_graph_data_is_over_time(tinker_graph_view_data(view)) &&
-        tinker_time_span_get(tinker_player_span(view->player), seen)) {
-        part = (TinkerGraphPart){seen[0], seen[1], FALSE};
-        is_part = TRUE;
-    }
-    g_autofree char *text = tinker_graph_statistics_text(tinker_graph_view_data(view), is_part ? &part : NULL);
-    GtkRoot *root = gtk_widget_get_root(widget);
-    tinker_message(GTK_IS_WINDOW(root) ? GTK_WINDOW(root) : NULL, _("Statistics"), text);
-}
-
-static void set_against(GtkWidget *widget, const char *name, GVariant *parameter)
-{
-    TinkerGraphView *view = TINKER_GRAPH_VIEW(widget);
-    if (!tinker_graph_set_against(view->document, view->number, g_variant_get_string(parameter, NULL), NULL))
-        gtk_widget_error_bell(widget);
-}
-
-/* The menu --------------------------------------------------------------------------------------------------------- */
-
-static void show_menu_at(TinkerGraphView *view, double x, double y)
-{
-    g_autoptr(GtkBuilder) builder = gtk_builder_new_from_resource("/org/tinker/Tinker/menus.ui");
-    GMenuModel *model = G_MENU_MODEL(gtk_builder_get_object(builder, "graph_menu"));
-    TinkerScene *scene = tinker_document_scene(view->document);
-    g_autoptr(GMenuModel) over =
-        tinker_graph_over_menu_new(scene, g_ptr_array_index(tinker_scene_graphs(scene), view->number));
-    g_menu_append_submenu(G_MENU(gtk_builder_get_object(builder, "graph_over_section")), _("_Over"), over);
-    tinker_popup_menu(GTK_WIDGET(view), model, x, y);
-}
-
-static void show_menu(GtkWidget *widget, const char *name, GVariant *parameter)
-{
-    show_menu_at(TINKER_GRAPH_VIEW(widget), gtk_widget_get_width(widget) / 2.0, gtk_widget_get_height(widget) / 2.0);
-}
-
-static void on_right_press(GtkGestureClick *gesture, int presses, double x, double y, TinkerGraphView *view)
-{
-    gtk_gesture_set_state(GTK_GESTURE(gesture), GTK_EVENT_SEQUENCE_CLAIMED);
-    gtk_widget_grab_focus(GTK_WIDGET(view));
-    show_menu_at(view, x, y);
-}
-
 /* Presses on a graph are not the canvas's. */
 static void on_press(GtkGestureClick *gesture, int presses, double x, double y, TinkerGraphView *view)
 {
@@ -320,7 +218,8 @@ static void add_input(TinkerGraphView *view)
     const struct {
         guint button;
         GCallback pressed;
-    } presses[] = {{GDK_BUTTON_PRIMARY, G_CALLBACK(on_press)}, {GDK_BUTTON_SECONDARY, G_CALLBACK(on_right_press)}};
+    } presses[] = {{GDK_BUTTON_PRIMARY, G_CALLBACK(on_press)},
+                   {GDK_BUTTON_SECONDARY, G_CALLBACK(graph_view_on_right_press)}};
     for (gsize i = 0; i < G_N_ELEMENTS(presses); i++) {
         GtkGesture *click = gtk_gesture_click_new();
         gtk_gesture_single_set_button(GTK_GESTURE_SINGLE(click), presses[i].button);
@@ -351,37 +250,6 @@ static void tinker_graph_view_dispose(GObject *object)
     G_OBJECT_CLASS(tinker_graph_view_parent_class)->dispose(object);
 }
 
-static void add_commands(GtkWidgetClass *widget_class)
-{
-    static const struct {
-        const char *name;
-        GtkWidgetActionActivateFunc activate;
-        guint key;
-        GdkModifierType modifiers;
-    } commands[] = {
-        {"graph.copy", copy, GDK_KEY_c, GDK_CONTROL_MASK},
-        {"graph.save-image", save_image, GDK_KEY_s, GDK_CONTROL_MASK | GDK_ALT_MASK},
-        {"graph.export-values", export_values, GDK_KEY_e, GDK_CONTROL_MASK},
-        {"graph.curves", edit_curves, GDK_KEY_l, GDK_CONTROL_MASK},
-        {"graph.statistics", show_statistics, GDK_KEY_s, 0},
-        {"graph.dock", edit, 0, 0},
-        {"graph.float", edit, 0, 0},
-        {"graph.delete", edit, GDK_KEY_Delete, 0},
-        {"graph.menu", show_menu, GDK_KEY_Menu, 0},
-        {"graph.menu", NULL, GDK_KEY_F10, GDK_SHIFT_MASK},
-    };
-    for (gsize i = 0; i < G_N_ELEMENTS(commands); i++) {
-        if (commands[i].activate != NULL)
-            gtk_widget_class_install_action(widget_class, commands[i].name, NULL, commands[i].activate);
-        if (commands[i].key != 0)
-            gtk_widget_class_add_binding_action(widget_class, commands[i].key, commands[i].modifiers, commands[i].name,
-                                                NULL);
-    }
-    gtk_widget_class_install_action(widget_class, "graph.against", "s", set_against);
-    tinker_graph_looks_bind(widget_class);
-    gtk_widget_class_install_property_action(widget_class, "graph.show-values", "show-values");
-}
-
 static void tinker_graph_view_class_init(TinkerGraphViewClass *class)
 {
     GObjectClass *object_class = G_OBJECT_CLASS(class);
@@ -395,7 +263,7 @@ static void tinker_graph_view_class_init(TinkerGraphViewClass *class)
     gtk_widget_class_set_layout_manager_type(widget_class, GTK_TYPE_BOX_LAYOUT);
     gtk_widget_class_set_css_name(widget_class, "graph");
     gtk_widget_class_set_accessible_role(widget_class, GTK_ACCESSIBLE_ROLE_GROUP);
-    add_commands(widget_class);
+    graph_view_install_commands(widget_class);
 }
 
 static void tinker_graph_view_init(TinkerGraphView *view)

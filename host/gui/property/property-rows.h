@@ -55,6 +55,16 @@ const char *property_law_of_impact(void);
 /* Those of the scene; property-rows-scene.c. */
 void property_rows_add_scene(PropertyBuilder *builder);
 
+/* How rows of what a descriptor declares are set; property-set.c. An offset is that from the local origin, which stays.
+ * A law that cannot be read is not taken; its numbers may still be to come. */
+gboolean property_set_number(TinkerDocument *document, const TinkerPropertyRow *row, const char *text, GError **error);
+gboolean property_set_offset(TinkerDocument *document, const TinkerPropertyRow *row, const char *text, GError **error);
+gboolean property_choose_number(TinkerDocument *document, const TinkerPropertyRow *row, int choice, GError **error);
+gboolean property_set_text(TinkerDocument *document, const TinkerPropertyRow *row, const char *text, GError **error);
+gboolean property_set_law(TinkerDocument *document, const TinkerPropertyRow *row, const char *text, GError **error);
+/* "greater than 0 kg", "from 0 to 1"; NULL where anything goes. (transfer full) */
+char *property_range_text(const TinkerPropertyType *type, const char *unit);
+
 /* Changes one block inside a step; `value` is what property_edit_all was given. */
 typedef gboolean (*PropertyEdit)(TinkerHistory *history, const TinkerPropertyRow *row, TinkerBlockId block,
                                  gconstpointer value, GError **error);
