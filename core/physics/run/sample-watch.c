@@ -1,9 +1,9 @@
 #include "physics/run/sample-watch.h"
 
 #include <math.h>
-#include <string.h>
 
 #include "physics/island/island-run.h"
+#include "physics/model/points.h"
 #include "physics/run/island-samples.h"
 
 #define LEAST_SAMPLES 8    /* of fewer nobody expects a curve */
