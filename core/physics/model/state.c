@@ -1,6 +1,6 @@
 /* Bringing a model to a time and a state. */
-#include "numerics/sharing/sharing.h"
 #include "physics/model/state.h"
+#include "numerics/sharing/sharing.h"
 
 #include <glib/gi18n-lib.h>
 #include <math.h>

@@ -56,9 +56,9 @@ static double evaluation_cost(const TinkerIsland *island)
         const TinkerLinearSystem *linear = tinker_linear_form_system(island->linear);
         return PER_EVALUATION + PER_EDGE * linear->edge_count + 0.5 * PER_BODY * linear->size;
     }
-    return PER_EVALUATION + PER_LINE * model->lines.count + PER_BODY * model->bodies +
-           asked(model->asked_lines) + asked(model->asked_forces) +
-           PER_FIELD_BODY * model->asked_fields->len * model->bodies + tinker_row_operations(model);
+    return PER_EVALUATION + PER_LINE * model->lines.count + PER_BODY * model->bodies + asked(model->asked_lines) +
+           asked(model->asked_forces) + PER_FIELD_BODY * model->asked_fields->len * model->bodies +
+           tinker_row_operations(model);
 }
 
 double tinker_operations_sample(const TinkerIsland *island)

@@ -8,9 +8,9 @@
 #define ARC    34.0 /* widget units: of an angle */
 #define INNER  5.0
 
-    /* A text on a ground of its own about a place, all of it on the canvas. */
-    static void
-    draw_text(GtkWidget *widget, cairo_t *cairo, PangoLayout *layout, const double at[2], const TinkerTheme *theme)
+/* A text on a ground of its own about a place, all of it on the canvas. */
+static void draw_text(GtkWidget *widget, cairo_t *cairo, PangoLayout *layout, const double at[2],
+                      const TinkerTheme *theme)
 {
     const double *ground = theme->background, *colour = theme->colours[TINKER_COLOUR_TEXT];
     int width, height;
