@@ -116,14 +116,41 @@ static void write_second_order(TinkerPage *page, const TinkerMatrixIsland *islan
     tinker_page_equation(page, g_string_free(sum, FALSE), tinker_page_expression(page, load), NULL);
 }
 
-static void write_roots(TinkerPage *page, const TinkerMatrixIsland *island)
+/* By which pairs of roots are ordered: the larger of the two; 0: nothing brings it back. */
+static double root_size(const TinkerMatrixIsland *island, guint pair)
+{
+    const double omega = island->omega[pair], zeta = fabs(island->zeta[pair]);
+    if (isnan(omega)) return fmax(fabs(island->unstable[2 * pair]), fabs(island->unstable[2 * pair + 1]));
+    return zeta > 1 ? omega * (zeta + sqrt(zeta * zeta - 1)) : omega;
+}
+
+/* Where a pair stands among those of all islands, from 1: so modes are numbered (analysis/modes/modes.h), too. */
+static guint pair_number(const TinkerMatrixForm *form, const TinkerMatrixIsland *island, guint pair)
+{
+    const double size = root_size(island, pair);
+    gboolean is_before = TRUE; /* in the form */
+    guint number = 1;
+    for (guint i = 0; i < form->islands->len; i++) {
+        const TinkerMatrixIsland *each = g_ptr_array_index(form->islands, i);
+        for (guint k = 0; k < each->coordinates->len; k++) {
+            if (each == island && k == pair) is_before = FALSE;
+            const double other = root_size(each, k);
+            if (other > 0 && (other < size || (other == size && is_before))) number++;
+        }
+    }
+    return number;
+}
+
+static void write_roots(TinkerPage *page, const TinkerMatrixForm *form, const TinkerMatrixIsland *island)
 {
     static const TinkerDimension pure = {0, 0, 0, 0}, rate = {0, 0, -1, 0};
     const guint n = island->coordinates->len;
     if (n == 1) write_second_order(page, island);
     for (guint i = 0; i < n; i++) {
-        g_autofree char *index = n == 1 ? g_strdup("0") : g_strdup_printf("%u", i + 1);
         const double omega = island->omega[i], zeta = fabs(island->zeta[i]) < ROUNDING ? 0 : island->zeta[i];
+        g_autofree char *index = n == 1       ? g_strdup("0")
+                                 : omega == 0 ? g_strdup("")
+                                              : g_strdup_printf("%u", pair_number(form, island, i));
         if (isnan(omega)) {
             tinker_page_equation(
                 page, named(page, "s", index),
@@ -276,7 +303,7 @@ static void write_patterns(TinkerPage *page, const TinkerMatrixIsland *island)
         tinker_page_pattern(page, island, kind);
 }
 
-static void write_island(TinkerPage *page, const TinkerMatrixIsland *island)
+static void write_island(TinkerPage *page, const TinkerMatrixForm *form, const TinkerMatrixIsland *island)
 {
     const guint n = island->coordinates->len;
     g_autoptr(GString) heading = g_string_new(NULL);
@@ -297,7 +324,7 @@ static void write_island(TinkerPage *page, const TinkerMatrixIsland *island)
     for (guint i = 0; i < n; i++)
         write_coordinate(page, island, i);
     tinker_page_gap(page);
-    write_roots(page, island);
+    write_roots(page, form, island);
 }
 
 /* What the symbols of all islands stand for. */
@@ -330,9 +357,9 @@ static gboolean is_large(const TinkerMatrixForm *form, TinkerBlockId first)
 void tinker_equations_put_matrix(TinkerPage *page, const TinkerMatrixForm *form, const TinkerEquationsShown *shown)
 {
     for (guint i = 0; i < form->islands->len; i++)
-        write_island(page, g_ptr_array_index(form->islands, i));
+        write_island(page, form, g_ptr_array_index(form->islands, i));
     for (guint i = 0; i < form->large->len; i++)
-        write_island(page, g_ptr_array_index(form->large, i));
+        write_island(page, form, g_ptr_array_index(form->large, i));
     write_names(page, form);
     for (guint i = 0; i < form->why->len; i++) {
         const TinkerNotWritten *reason = g_ptr_array_index(form->why, i);
