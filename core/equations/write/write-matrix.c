@@ -54,6 +54,13 @@ static void write_row(TinkerPage *page, const TinkerMatrixIsland *island, guint 
                          tinker_page_expression(page, g_ptr_array_index(island->load, i)), NULL);
 }
 
+/* From where it is counted from, without what rounding leaves. */
+static double place_now(const TinkerPage *page, const TinkerMatrixCoordinate *each)
+{
+    const double value = tinker_equations_value(page->equations, each->is) - each->about;
+    return fabs(value) <= each->rounding + tinker_equations_rounding(page->equations, each->is) ? 0 : value;
+}
+
 static void write_coordinate(TinkerPage *page, const TinkerMatrixIsland *island, guint number)
 {
     const TinkerMatrixCoordinate *each = coordinate_at(island, number);
@@ -64,10 +71,8 @@ static void write_coordinate(TinkerPage *page, const TinkerMatrixIsland *island,
                             : g_strconcat(is, tinker_typeset_sign(page->format, rest > 0 ? '-' : '+'), about, NULL);
     tinker_page_equation(page, coordinate(page, island, number, 0), right,
                          g_strdup(island->about_rest ? _("counted from rest") : _("its place")));
-    const double value = tinker_equations_value(page->equations, each->is) - each->about;
-    const gboolean is_rest = fabs(value) <= each->rounding + tinker_equations_rounding(page->equations, each->is);
     tinker_page_equation(page, coordinate(page, island, number, 0),
-                         tinker_page_quantity(page, is_rest ? 0 : value, length),
+                         tinker_page_quantity(page, place_now(page, each), length),
                          g_strdup_printf(C_("equations", "at t = %g s"), page->equations->time));
 }
 
@@ -203,8 +208,7 @@ static Motion motion_of(const TinkerPage *page, const TinkerMatrixIsland *island
     const guint n = island->coordinates->len;
     for (guint i = 0; i < n; i++) {
         motion.at[1][i] = velocity(page, coordinate_at(island, i));
-        motion.at[2][i] =
-            tinker_equations_value(page->equations, coordinate_at(island, i)->is) - coordinate_at(island, i)->about;
+        motion.at[2][i] = place_now(page, coordinate_at(island, i));
     }
     for (guint i = 0; i < n; i++) {
         double sum = entry_value(page, island->load, i);
@@ -214,6 +218,18 @@ static Motion motion_of(const TinkerPage *page, const TinkerMatrixIsland *island
         motion.at[0][i] = sum / entry_value(page, island->mass, i * n + i);
     }
     return motion;
+}
+
+/* The greatest of the values; those that rounding leaves beside `greatest` become 0. */
+static double settle_values(GArray *terms, double greatest)
+{
+    double most = 0;
+    for (guint i = 0; i < terms->len; i++) {
+        TinkerLineTerm *term = &g_array_index(terms, TinkerLineTerm, i);
+        if (fabs(term->value) <= TINKER_FORCE_NOTHING * greatest) term->value = 0;
+        most = fmax(most, fabs(term->value));
+    }
+    return most;
 }
 
 /* Row i for who shows it in parts, each of its block. */
@@ -230,6 +246,9 @@ static void line_row(TinkerPage *page, const TinkerMatrixIsland *island, guint i
                 tinker_page_add_terms(page, line->left_terms, entry, variable, motion->at[order][k], force);
         }
     tinker_page_add_terms(page, line->terms, g_ptr_array_index(island->load, i), NULL, 1, force);
+    const double greatest = fmax(settle_values(line->left_terms, 0), settle_values(line->terms, 0));
+    settle_values(line->left_terms, greatest);
+    settle_values(line->terms, greatest);
 }
 
 static void write_rows(TinkerPage *page, const TinkerMatrixIsland *island)

@@ -1,5 +1,6 @@
-/* All of the page is of one moment, that of the task's result, which stands at the top: only the list of values below
- * and books that take long stay where they were while it plays, and tell their own. */
+/* All of the page is of one moment, that of the task's result, which stands at the top: only books that take long stay
+ * where they were while it plays, and tell their own. Of what is not seen values wait until it is, or until it stops.
+ */
 #include "gui/equation/equations-page.h"
 
 #include <glib/gi18n.h>
@@ -24,7 +25,7 @@ struct _TinkerEquationsPage {
     TinkerEquationFill *fill;
     GtkWidget *rows, *rest; /* what bodies do, and what the symbols stand for */
     char *written;          /* the equations in the rows, as one text; NULL: there are none */
-    gboolean is_behind;     /* the rest is of an earlier result */
+    gboolean is_behind;     /* what is not seen is of an earlier result, and what is read out */
     char *why_newton;       /* in place of another form; NULL: they were asked for */
     GtkWidget *forms, *values, *moment, *hint, *diagram_heading, *diagram, *books_heading, *books;
 };
@@ -110,7 +111,8 @@ static gboolean on_filled(gpointer page)
     return G_SOURCE_REMOVE;
 }
 
-/* Rows are made anew where the equations have become others, and what stands below them unless it plays. */
+/* Rows are made anew where the equations have become others, and what stands below them; while it plays values alone
+ * become others. */
 static void show_rows(TinkerEquationsPage *page, const TinkerModelResult *result)
 {
     g_autoptr(GPtrArray) shown = lines_of(page, result, TINKER_TYPESET_MATHML);
@@ -118,9 +120,13 @@ static void show_rows(TinkerEquationsPage *page, const TinkerModelResult *result
     const gboolean same = page->why_newton == NULL && g_strcmp0(written, page->written) == 0 &&
                           !tinker_equation_fill_is_going(page->fill);
     page->is_behind = same && is_playing(page);
-    if (page->is_behind) return;
-    g_autoptr(GPtrArray) spoken = lines_of(page, result, TINKER_TYPESET_SPEECH);
     guint row_count = count_rows(page, shown);
+    if (page->is_behind) {
+        tinker_equation_list_update(page->rows, shown, 0, row_count);
+        tinker_equation_list_update(page->rest, shown, row_count, shown->len);
+        return;
+    }
+    g_autoptr(GPtrArray) spoken = lines_of(page, result, TINKER_TYPESET_SPEECH);
     if (same) {
         g_ptr_array_remove_range(shown, 0, row_count);
         g_ptr_array_remove_range(spoken, 0, row_count);
@@ -280,7 +286,9 @@ static void add_tools(TinkerEquationsPage *page)
     page->values = gtk_check_button_new_with_label(_("Values"));
     gtk_accessible_update_property(GTK_ACCESSIBLE(page->forms), GTK_ACCESSIBLE_PROPERTY_LABEL, _("Form of Equations"),
                                    -1);
-    gtk_widget_set_tooltip_text(page->values, _("The force of each term now, beneath it"));
+    gtk_widget_set_tooltip_text(page->values, _("The force of each term now, beneath it: of terms over one bracket, or "
+                                                "of all of a block that stand apart (Σ), their "
+                                                "sum"));
     page->moment = tinker_equation_label(NULL, "dim-label");
     gtk_widget_set_hexpand(page->moment, TRUE);
     gtk_widget_set_tooltip_text(page->moment, _("The moment that this page is of"));
