@@ -77,7 +77,7 @@ static char *quantity(const Drawing *drawing, double value, TinkerDimension dime
 /* Which of the numbers an account is of. */
 typedef enum { FORCE_X, FORCE_Y, ENERGY, ANGULAR, MOMENTUM_X, MOMENTUM_Y, ACCOUNTS } Which;
 
-static double given(const TinkerBookEntry *entry, Which which)
+static double given(const TinkerBookShare *entry, Which which)
 {
     switch (which) {
     case FORCE_X:
@@ -129,11 +129,12 @@ static char *title_of_account(const TinkerBooksPicture *picture, Which which)
     return g_strdup_printf(_("Angular impulse and momentum about %s"), about);
 }
 
-/* Of the books of one body the forces on it alone. */
-static TinkerPointed thing_of(const TinkerBooksPicture *picture, const TinkerBookEntry *entry)
+/* Of the books of one body the forces on it alone, and a part of an entry by itself. */
+static TinkerPointed thing_of(const TinkerBooksPicture *picture, const TinkerBookEntry *entry, int part)
 {
     TinkerPointed thing = tinker_pointed_block(entry->by);
     if (picture->bodies[0] >= 0 && picture->bodies[1] < 0) thing.on = picture->bodies[0];
+    if (entry->rubs && thing.on >= 0) thing.part = part == 0 ? TINKER_POINTED_NORMAL : TINKER_POINTED_FRICTION;
     return thing;
 }
 
@@ -153,6 +154,15 @@ static void drop_rounding(Account *account, double rounding)
     }
 }
 
+/* What stood at the beginning, and what came of it. */
+static const char *total_name(Which which, gboolean before)
+{
+    if (which <= FORCE_Y) return _("= m a");
+    if (which == ENERGY) return before ? _("kinetic energy before") : _("= kinetic energy after");
+    if (which == ANGULAR) return before ? _("angular momentum before") : _("= angular momentum after");
+    return before ? _("momentum before") : _("= momentum after");
+}
+
 static Account account_of(const TinkerBooksPicture *picture, Which which)
 {
     static const TinkerDimension dimensions[ACCOUNTS] = {TINKER_DIMENSION_FORCE,  TINKER_DIMENSION_FORCE,
@@ -166,15 +176,19 @@ static Account account_of(const TinkerBooksPicture *picture, Which which)
     double totals[2];
     g_array_set_clear_func(account.entries, entry_clear);
     totals_of(books, which, totals);
-    if (which > FORCE_Y) add_total(&account, _("before"), totals[0]);
+    if (which > FORCE_Y) add_total(&account, total_name(which, TRUE), totals[0]);
     for (guint i = 0; i < books->entries->len; i++) {
         const TinkerBookEntry *entry = &g_array_index(books->entries, TinkerBookEntry, i);
         if (entry->inner && which != ENERGY) continue; /* it cancels */
-        const Entry one = {g_strdup(tinker_scene_block_name(picture->scene, entry->by)), given(entry, which), FALSE,
-                           thing_of(picture, entry)};
-        g_array_append_val(account.entries, one);
+        TinkerBookShare parts[2];
+        const int count = tinker_book_parts(entry, parts);
+        for (int k = 0; k < count; k++) {
+            const Entry one = {tinker_book_part_name(books, picture->scene, entry, k), given(&parts[k], which), FALSE,
+                               thing_of(picture, entry, k)};
+            g_array_append_val(account.entries, one);
+        }
     }
-    add_total(&account, which <= FORCE_Y ? _("= m a") : _("= after"), totals[1]);
+    add_total(&account, total_name(which, FALSE), totals[1]);
     drop_rounding(&account, rounding_of(books, which, account.balance->scale));
     return account;
 }
@@ -349,8 +363,11 @@ static char *title_of(const Drawing *drawing)
 static gboolean any_is_lit(const TinkerBooksPicture *picture)
 {
     for (guint i = 0; i < picture->books->entries->len; i++) {
-        const TinkerPointed thing = thing_of(picture, &g_array_index(picture->books->entries, TinkerBookEntry, i));
-        if (tinker_pointed_lights(picture->lit, &thing)) return TRUE;
+        for (int part = 0; part < 2; part++) {
+            const TinkerPointed thing =
+                thing_of(picture, &g_array_index(picture->books->entries, TinkerBookEntry, i), part);
+            if (tinker_pointed_lights(picture->lit, &thing)) return TRUE;
+        }
     }
     return FALSE;
 }

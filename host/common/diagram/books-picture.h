@@ -25,4 +25,7 @@ void tinker_books_draw(cairo_t *cairo, double width, double height, void *data);
 /* The point that angular impulse and momentum are about: "the origin", "(1 m, 2 m)". (transfer full) */
 char *tinker_books_about(const TinkerBooks *books, TinkerScene *scene);
 
+/* What a part of an entry is called (books.h): "Spring 0", "Floor (Normal force)". (transfer full) */
+char *tinker_book_part_name(const TinkerBooks *books, TinkerScene *scene, const TinkerBookEntry *entry, int part);
+
 #endif
