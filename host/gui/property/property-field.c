@@ -274,6 +274,19 @@ static void add_title_menu(TinkerPropertyField *field)
 }
 
 /* In the entry's own menu. */
+/* Of the title, not of the control, where it would cover the next one: what it is, and that there is a slider for it.
+ */
+static void show_tooltip(TinkerPropertyField *field)
+{
+    const char *description = field->row->description;
+    g_autofree char *text =
+        field->row->control == NULL
+            ? g_strdup(description)
+            : g_strdup_printf("%s%s%s", description != NULL ? description : "", description != NULL ? "\n" : "",
+                              _("A slider for it: right-click, Add Control"));
+    gtk_widget_set_tooltip_text(field->title, text);
+}
+
 static void show_entry_menu(TinkerPropertyField *field)
 {
     g_autoptr(GMenuModel) menu = field->row->control != NULL ? control_menu(field) : NULL;
@@ -285,7 +298,7 @@ void tinker_property_field_show(TinkerPropertyField *field, TinkerPropertyRow *r
     gboolean same_hint = g_strcmp0(field->row->hint, row->hint) == 0;
     gboolean same = tinker_property_row_same_target(field->row, row);
     gboolean described = g_strcmp0(field->row->description, row->description) == 0;
-    gboolean same_control = g_strcmp0(field->row->control, row->control) == 0;
+    const gboolean same_control = g_strcmp0(field->row->control, row->control) == 0;
     tinker_property_row_ref(row);
     tinker_property_row_unref(field->row);
     field->row = row;
@@ -309,7 +322,7 @@ void tinker_property_field_show(TinkerPropertyField *field, TinkerPropertyRow *r
     field->showing = FALSE;
     if (!same_hint) show_hint(field);
     if (!same || (!same_hint && !gtk_widget_get_visible(field->problem))) set_problem(field, NULL);
-    if (!described) gtk_widget_set_tooltip_text(field->title, row->description);
+    if (!described || !same_control) show_tooltip(field);
     if (row->kind == TINKER_ROW_NUMBER && !same_control) show_entry_menu(field);
     preview_law(field);
 }
@@ -424,8 +437,7 @@ GtkWidget *tinker_property_field_new(TinkerDocument *document, TinkerPropertyRow
     field->document = g_object_ref(document);
     field->row = tinker_property_row_ref(row);
     make_parts(field);
-    /* Not on the control, where it would cover the next one. */
-    gtk_widget_set_tooltip_text(field->title, row->description);
+    show_tooltip(field);
     set_problem(field, NULL);
     show_hint(field);
     add_title_menu(field);

@@ -4,6 +4,7 @@ import os
 import re
 
 from harness import App, check, main, mass, scene, spring, support, wait
+from harness import scenes
 
 GRAVITY = {"type": "gravity", "name": "Gravity", "acceleration": 10}
 WEIGHT = "Gravity: minus m times g"
@@ -206,6 +207,24 @@ def test_form_without_equations(display):
         app.choose_from(app.find("combo box", "Form of Equations"), "Matrix")
         app.find("image", WEIGHT)
         app.find_text("These are Newton's")
+
+
+def test_form_of_another_scene_is_not_complained_of(display):
+    """Angles were chosen for a pendulum: a mass on a spring, opened next, has none, and is shown as Newton has it without a word
+    of angles. In angles no term has a value of its own: the switch says so."""
+    rod = {"type": "rod", "name": "Rod", "ends": ["Wall", "Bob"]}
+    home = display.new_home()
+    other = scenes.write(home, "spring.tinker.json", hanging())
+    with App(display, scene(GRAVITY, support("Wall", 0, 3, solid=False), mass("Bob", 0, 0, mass=2), rod), home=home) as app:
+        open_page(app)
+        app.choose_from(app.find("combo box", "Form of Equations"), "Angles")
+        wait(lambda: app.look("image", WEIGHT) is None, "the equation in the angle")
+        wait(lambda: not app.find("check box", "Values").refreshed().has("sensitive"), "no values to switch on", 8)
+        app.activate("open-recent", str(other))
+        app.click("Equations", role="tab")
+        app.find("image", PULL)
+        check(app.look("label", re.compile("angles")) is None, "no word of angles")
+        wait(lambda: app.find("check box", "Values").refreshed().has("sensitive"), "values to switch on")
 
 
 def test_matrices(display):
