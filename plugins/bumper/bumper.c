@@ -5,6 +5,8 @@
  * moves by it: no step of a run would resolve that. So all of its power is booked as its damper's then. */
 #include <tinker/sdk.h>
 
+#define PAD 0.6 /* of the plate, what pushes it */
+
 enum { COLUMN_STIFFNESS, COLUMN_DAMPING, COLUMN_LENGTH };
 
 enum { QUANTITY_COMPRESSION, QUANTITY_FORCE, QUANTITY_ENERGY, QUANTITY_POWER };
@@ -55,7 +57,8 @@ static TinkerStatus energy(TinkerBatch *batch, const double *length, double *sto
     return TINKER_OK;
 }
 
-/* Drawing: a coil on the first end, and the plate that the second pushes. */
+/* Drawing: a coil on the first end, and the plate that the second pushes: a shorter plate, which stands where that end
+ * is, in the middle of a mass, so that both meet at the moment at which the force begins. */
 
 static void draw(const TinkerInstance *instance, struct _cairo *cairo, const TinkerStyle *style)
 {
@@ -69,6 +72,9 @@ static void draw(const TinkerInstance *instance, struct _cairo *cairo, const Tin
     const int32_t colour = length < free_length ? TINKER_COLOUR_COMPRESSED : TINKER_COLOUR_CONNECTOR;
     style->coil(style, cairo, colour, a->x, a->y, x, y, free_length);
     style->line(style, cairo, colour, x + half * along_y, y - half * along_x, x - half * along_y, y + half * along_x);
+    if (length > free_length)
+        style->line(style, cairo, colour, b->x + PAD * half * along_y, b->y - PAD * half * along_x,
+                    b->x - PAD * half * along_y, b->y + PAD * half * along_x);
     tinker_ends_draw_marks(instance, cairo, style);
 }
 
@@ -113,7 +119,10 @@ static const TinkerPropertyType properties[] = {
      .description = "Damping: force per rate at which it gets shorter, while it pushes"},
     {TINKER_REAL_PROPERTY("length", "Length", "Bumper", TINKER_DIMENSION_LENGTH),
      TINKER_NOT_NEGATIVE(TINKER_DEFAULT_AS_PLACED, 10.0), .symbol = "L0", .meaning = TINKER_MEANING_LENGTH,
-     .variability = TINKER_TUNABLE, .description = "It pushes while its ends are nearer to each other than this"},
+     .variability = TINKER_TUNABLE,
+     .description =
+         "It pushes while its ends are nearer to each other than this. The end on a mass is in its middle: half of its "
+         "width counts in"},
 };
 
 static const TinkerLawEquation law[] = {

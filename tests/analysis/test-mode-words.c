@@ -1,6 +1,6 @@
 /* The words for what bodies do in a mode, where closed forms tell it: in step and against each other, along a line and
  * about axes. */
-#include "common/overlay/mode-shape.h"
+#include "common/words/mode-words.h"
 #include "modes-fixture.h"
 
 /* The oscillations of a scene, in order, are said to be these; NULL: nothing is said. */
@@ -67,10 +67,10 @@ static void test_captions(void)
 {
     g_autoptr(ModesFixture) a = modes_about_rest("{'type': 'support'}, {'type': 'mass', 'position': [1, 0]},"
                                                  "{'type': 'spring', 'ends': ['Support 0', 'Mass 0'], 'stiffness': 4}");
-    g_autofree char *free = tinker_mode_caption(a->analysis, modes_at(a, 0), 1),
-                    *swings = tinker_mode_caption(a->analysis, modes_at(a, 1), 2);
-    g_assert_cmpstr(free, ==, "Mode 1, up and down: moves freely, 0 Hz");
-    g_assert_cmpstr(swings, ==, "Mode 2, sideways: ω₀ = 2 rad/s, f = 0.3183 Hz, T = 3.142 s");
+    g_autofree char *free = tinker_mode_caption(a->analysis, modes_at(a, 0), modes_at(a, 0)->number),
+                    *swings = tinker_mode_caption(a->analysis, modes_at(a, 1), modes_at(a, 1)->number);
+    g_assert_cmpstr(free, ==, "Mode, up and down: moves freely, 0 Hz");
+    g_assert_cmpstr(swings, ==, "Mode 1, sideways: ω₀ = 2 rad/s, f = 0.3183 Hz, T = 3.142 s");
 }
 
 /* 1 kg on 25 N/m and 3 N s/m: ζ = c / (2 √(k m)) = 0.3, and it swings with 5 rad/s √(1 - ζ²) = 4.7697 rad/s. */
@@ -79,9 +79,85 @@ static void test_damped_caption(void)
     g_autoptr(ModesFixture) a = modes_about_rest("{'type': 'support'}, {'type': 'mass', 'position': [1, 0]},"
                                                  "{'type': 'spring', 'ends': ['Support 0', 'Mass 0'], 'stiffness': 25},"
                                                  "{'type': 'damper', 'ends': ['Support 0', 'Mass 0'], 'damping': 3}");
-    g_autofree char *swings = tinker_mode_caption(a->analysis, modes_at(a, 1), 2);
+    g_autofree char *swings = tinker_mode_caption(a->analysis, modes_at(a, 1), modes_at(a, 1)->number);
     g_assert_cmpstr(swings, ==,
-                    "Mode 2, sideways: ω₀ = 5 rad/s, damping ratio 0.3; damped: f = 0.7591 Hz, T = 1.317 s");
+                    "Mode 1, sideways: ω₀ = 5 rad/s, damping ratio 0.3; damped: f = 0.7591 Hz, T = 1.317 s");
+}
+
+/* What swings is numbered alone: 1 kg on 4 N/m moves freely up and down, which has no number. Of two masses the ratios
+ * are those of their shapes. */
+static void test_numbers_and_ratios(void)
+{
+    static const char *const ratios[] = {"Mass 0 : Mass 1 = 1 : 1", "Mass 0 : Mass 1 = 1 : −1"};
+    g_autoptr(ModesFixture) a = modes_about_rest(LINE("0", "0", "1", "0", "2", "0", "3", "0"));
+    guint swinging = 0;
+    for (guint i = 0; i < a->analysis->modes->len; i++) {
+        const TinkerMode *mode = modes_at(a, i);
+        g_assert_cmpuint(mode->number, ==, mode->kind == TINKER_MODE_RIGID ? 0 : ++swinging);
+        if (mode->kind == TINKER_MODE_RIGID) continue;
+        g_autofree char *ratio = tinker_mode_ratio(a->analysis, mode, a->scene);
+        g_assert_cmpstr(ratio, ==, ratios[swinging - 1]);
+    }
+    g_assert_cmpuint(swinging, ==, 2);
+}
+
+/* Of 1, 1 and 1 kg between two walls the shapes are (1, sqrt 2, 1), (1, 0, -1), (1, -sqrt 2, 1). */
+static void test_ratio_of_three(void)
+{
+    static const char *const ratios[] = {"A : B : C = 1 : 1.41 : 1", "A : B : C = 1 : 0 : −1",
+                                         "A : B : C = 1 : −1.41 : 1"};
+    g_autoptr(ModesFixture) a = modes_about_rest(
+        "{'type': 'support'}, {'type': 'mass', 'name': 'A', 'position': [1, 0]}, {'type': 'mass', 'name': 'B', "
+        "'position': [2, 0]}, {'type': 'mass', 'name': 'C', 'position': [3, 0]}, {'type': 'support', 'position': [4, "
+        "0]},"
+        "{'type': 'spring', 'ends': ['Support 0', 'A']}, {'type': 'spring', 'ends': ['A', 'B']},"
+        "{'type': 'spring', 'ends': ['B', 'C']}, {'type': 'spring', 'ends': ['C', 'Support 1']}");
+    for (guint i = 0; i < a->analysis->modes->len; i++) {
+        if (modes_at(a, i)->number == 0) continue;
+        g_autofree char *ratio = tinker_mode_ratio(a->analysis, modes_at(a, i), a->scene);
+        g_assert_cmpstr(ratio, ==, ratios[modes_at(a, i)->number - 1]);
+    }
+}
+
+/* An overdamped oscillator of 1 kg, 4 N/m and 5 N s/m has the roots -1 and -4, another one swings with 2 rad/s: pairs
+ * count by the larger root, so that it is the first. */
+static void test_number_of_pair(void)
+{
+    g_autoptr(ModesFixture) a = modes_about_rest(
+        "{'type': 'support'}, {'type': 'mass', 'position': [1, 0]}, {'type': 'mass', 'position': [-1, 0]},"
+        "{'type': 'spring', 'ends': ['Support 0', 'Mass 0'], 'stiffness': 4},"
+        "{'type': 'damper', 'ends': ['Support 0', 'Mass 0'], 'damping': 5},"
+        "{'type': 'spring', 'ends': ['Support 0', 'Mass 1'], 'stiffness': 4}");
+    for (guint i = 0; i < a->analysis->modes->len; i++) {
+        const TinkerModeKind kind = modes_at(a, i)->kind;
+        g_assert_cmpuint(modes_at(a, i)->number, ==,
+                         kind == TINKER_MODE_OSCILLATION ? 1
+                         : kind == TINKER_MODE_DECAY     ? 2
+                                                         : 0);
+    }
+    g_assert_cmpuint(modes_count(a, TINKER_MODE_DECAY), ==, 2);
+}
+
+/* A block that friction holds, one that two rods hold, and a support alone. */
+static void test_nothing_to_swing(void)
+{
+    g_autoptr(ModesFixture) a = modes_about_rest(
+        "{'type': 'gravity'}, {'type': 'support', 'name': 'Floor', 'width': 8, 'height': 0.2, 'static_friction': 0.5, "
+        "'dynamic_friction': 0.4}, {'type': 'mass', 'name': 'Block', 'width': 1, 'height': 1, 'position': [0, 0.6]}");
+    g_autoptr(ModesFixture) rod = modes_about_rest(
+        "{'type': 'support', 'solid': false}, {'type': 'support', 'name': 'Other', 'solid': false, 'position': [2, 0]},"
+        "{'type': 'mass', 'position': [1, 1]}, {'type': 'rod', 'ends': ['Support 0', 'Mass 0'], 'length': "
+        "1.4142135623730951},"
+        "{'type': 'rod', 'ends': ['Other', 'Mass 0'], 'length': 1.4142135623730951}");
+    g_autoptr(ModesFixture) empty = modes_about_rest("{'type': 'support'}");
+    g_autofree char *held = tinker_modes_none(a->analysis, a->scene),
+                    *joined = tinker_modes_none(rod->analysis, rod->scene),
+                    *none = tinker_modes_none(empty->analysis, empty->scene);
+    g_assert_cmpuint(a->analysis->modes->len, ==, 0);
+    g_assert_nonnull(strstr(held, "none of the scene's 2 degrees of freedom where it comes to rest"));
+    g_assert_nonnull(strstr(held, "\nBlock: held on Floor by friction"));
+    g_assert_cmpstr(joined, ==, "Nothing in this scene swings: its joints leave it no degree of freedom.");
+    g_assert_cmpstr(none, ==, "Nothing in this scene can move.");
 }
 
 static void add_tests(void)
@@ -89,6 +165,10 @@ static void add_tests(void)
     g_test_add_func("/analysis/mode-words/two-masses", test_two_masses);
     g_test_add_func("/analysis/mode-words/three-masses", test_three_masses);
     g_test_add_func("/analysis/mode-words/two-discs", test_two_discs);
+    g_test_add_func("/analysis/mode-words/numbers-and-ratios", test_numbers_and_ratios);
+    g_test_add_func("/analysis/mode-words/ratio-of-three", test_ratio_of_three);
+    g_test_add_func("/analysis/mode-words/number-of-pair", test_number_of_pair);
+    g_test_add_func("/analysis/mode-words/nothing-to-swing", test_nothing_to_swing);
     g_test_add_func("/analysis/mode-words/captions", test_captions);
     g_test_add_func("/analysis/mode-words/damped-caption", test_damped_caption);
 }

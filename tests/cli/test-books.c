@@ -285,6 +285,27 @@ static void test_unsettled(CliFixture *fixture, gconstpointer data)
     cli_assert_holds(text->output, "The sums are right to about ");
 }
 
+/* What holds a block of 1 kg on an incline of 20 degrees: across, the normal force m g cos a gives -m g cos a sin a,
+ * and friction, m g sin a, the opposite; upwards m g cos^2 a and m g sin^2 a. In one row they would be 0 N. */
+static void test_normal_force_and_friction_apart(CliFixture *fixture, gconstpointer data)
+{
+    const double weight = 9.81, angle = 20 * G_PI / 180;
+    g_autofree char *words =
+        g_strdup_printf("books '%s/friction-incline.tinker.json' --block 'Block 1' --to 2", g_getenv("TINKER_SCENES"));
+    g_autoptr(TestProgram) program = cli_run_well(fixture, words);
+    const double truth[2][2] = {{-weight * cos(angle) * sin(angle), weight * cos(angle) * cos(angle)},
+                                {weight * sin(angle) * cos(angle), weight * sin(angle) * sin(angle)}};
+    static const char *const names[] = {"20 degrees (Normal force)", "20 degrees (Friction)"};
+    for (int part = 0; part < 2; part++) {
+        const char *row = strstr(program->output, names[part]);
+        g_assert_nonnull(row);
+        char *end;
+        const double x = g_ascii_strtod(row + strlen(names[part]), &end), y = g_ascii_strtod(end, NULL);
+        g_assert_cmpfloat_with_epsilon(x, truth[part][0], 1e-5);
+        g_assert_cmpfloat_with_epsilon(y, truth[part][1], 1e-5);
+    }
+}
+
 static void test_pages(CliFixture *fixture, gconstpointer data)
 {
     g_autofree char *path = cli_write(fixture, "scene.json", THROWN);
@@ -329,6 +350,7 @@ int main(int argc, char **argv)
     cli_test_add("/cli/books/dropped-together", test_dropped_together);
     cli_test_add("/cli/books/bounce-as-impulse", test_bounce_as_impulse);
     cli_test_add("/cli/books/pendulum", test_pendulum);
+    cli_test_add("/cli/books/normal-force-and-friction-apart", test_normal_force_and_friction_apart);
     cli_test_add("/cli/books/pages", test_pages);
     cli_test_add("/cli/books/unsettled", test_unsettled);
     cli_test_add("/cli/books/diagram", test_diagram);

@@ -272,7 +272,7 @@ static void test_torque_label_is_measured(CliFixture *fixture, gconstpointer dat
         "{\"tinker\": 1, \"blocks\": [{\"type\": \"disc\", \"position\": [0, 0], \"name\": \"Bob\", \"radius\": 0.5}, "
         "{\"type\": \"torque\", "
         "\"name\": \"M\", \"ends\": [\"Bob\"], \"amplitude\": 3}, {\"type\": \"motor\", \"name\": \"F\", \"ends\": "
-        "[{\"block\": \"Bob\", \"at\": [0.5, 0.5]}], \"angle\": \"-24 deg\", \"amplitude\": 10}]}";
+        "[{\"block\": \"Bob\", \"at\": [0.4, 0.4]}], \"angle\": \"-24 deg\", \"amplitude\": 10}]}";
     g_autofree char *path = cli_write(fixture, "scene.json", scene);
     cairo_surface_t *surface = draw_diagram(fixture, "0", "900x620");
     const double label = written_at(surface, 325, 240, 395, 340), middle = written_at(surface, 505, 240, 540, 340);

@@ -120,8 +120,36 @@ static void test_between_samples(void)
     g_assert_cmpfloat_with_epsilon(force->fx, 1 + 999 * exp(-0.01), 1e-9);
 }
 
+/* A mass of 1 m lies on a floor whose top is 0.5 m below its centre, 20 canvas units: the normal force ends there, as
+ * it does in a diagram, and its weight begins at the centre. */
+static void test_normal_force_ends_at_contact(void)
+{
+    g_autoptr(PlayerFixture) fixture =
+        player_fixture_new("'run': {'duration': 1, 'interval': 0.01}, 'blocks': [{'type': 'gravity', 'name': 'G'},"
+                           "{'type': 'support', 'name': 'Floor', 'position': [0, -0.6], 'width': 6, 'height': 0.2},"
+                           "{'type': 'mass', 'name': 'M', 'width': 1, 'height': 1}]");
+    CanvasForces *forces = canvas_forces_new();
+    TinkerScene *scene = tinker_document_scene(fixture->document);
+    g_bytes_unref(drawn_at(fixture, forces, 0));
+    const GArray *spots = canvas_forces_spots(forces);
+    guint shafts = 0;
+    double across[2];
+    for (guint i = 0; i < spots->len; i++) {
+        const TinkerSpot *spot = &g_array_index(spots, TinkerSpot, i);
+        if (!spot->is_line) continue;
+        const gboolean weight = spot->what.block == tinker_scene_find_block(scene, "G");
+        g_assert_cmpfloat_with_epsilon(spot->at[weight ? 1 : 3], SIDE / 2 + (weight ? 0 : 20), 1e-6);
+        g_assert_true((spot->at[3] > spot->at[1]) == weight);
+        across[shafts++ % 2] = spot->at[0];
+    }
+    g_assert_cmpuint(shafts, ==, 2);
+    g_assert_cmpfloat(fabs(across[0] - across[1]), >, 4);
+    canvas_forces_free(forces);
+}
+
 static void add_tests(void)
 {
+    g_test_add_func("/canvas-forces/normal-force-ends-at-contact", test_normal_force_ends_at_contact);
     g_test_add_func("/canvas-forces/arrow-at-a-place", test_arrow_at_a_place);
     g_test_add_func("/canvas-forces/label-beside-a-small-body", test_label_beside_a_small_body);
     g_test_add_func("/canvas-forces/peak", test_peak);

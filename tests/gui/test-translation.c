@@ -17,7 +17,7 @@
 /* The description of the bundled scene "Spring-mass system". */
 #define BUNDLED                                                                                                        \
     "A mass of 1 kg is let go at the unstretched end of a spring. It swings about the place where the spring carries " \
-    "its weight, 0.3924 m further down, with the period 2 pi sqrt(m/k) = 1.2566 s."
+    "its weight, 0.3924 m further down, with the period 2 π √(m/k) = 1.2566 s."
 
 static gboolean has_row(const GPtrArray *rows, const char *group, const char *title)
 {

@@ -117,6 +117,7 @@ const Rooms folders_with_rooms[] = {
       "program/print.h",
       "program/program-start.h",
       "words/event-words.h",
+      "words/mode-words.h",
       "words/plan-words.h",
       "words/trade-words.h",
       "overlay/force-arrows.h",

@@ -18,6 +18,29 @@ static void test_connector(gconstpointer data)
     stage_draw(&stage);
 }
 
+/* From (1, 2) 3 m towards (4, 6), which are 5 m away: the plate stands at (2.8, 4.4), and a shorter one where the other
+ * end is, which it meets as soon as the bumper is as long as that. */
+static void test_bumper(void)
+{
+    Stage stage;
+    stage_init(&stage, "bumper");
+    stage_set(&stage, "length", 3);
+    stage_draw(&stage);
+    const Note *plate = stage_note(&stage, "line", 0), *pushes = stage_note(&stage, "line", 1);
+    stage_assert_line(stage_note(&stage, "coil", 0), 1, 2, 2.8, 4.4);
+    g_assert_cmpfloat_with_epsilon((plate->x1 + plate->x2) / 2, 2.8, 1e-12);
+    g_assert_cmpfloat_with_epsilon((pushes->x1 + pushes->x2) / 2, 4, 1e-12);
+    g_assert_cmpfloat_with_epsilon((pushes->y1 + pushes->y2) / 2, 6, 1e-12);
+    g_assert_cmpfloat_with_epsilon(3 * (pushes->x2 - pushes->x1) + 4 * (pushes->y2 - pushes->y1), 0, 1e-12);
+    g_assert_cmpfloat(hypot(pushes->x2 - pushes->x1, pushes->y2 - pushes->y1), <,
+                      hypot(plate->x2 - plate->x1, plate->y2 - plate->y1));
+    stage_set(&stage, "length", 6);
+    stage_draw(&stage);
+    g_assert_cmpint(stage_notes(&stage, "line"), ==, 1);
+    g_assert_cmpfloat_with_epsilon((stage_note(&stage, "line", 0)->x1 + stage_note(&stage, "line", 0)->x2) / 2, 4,
+                                   1e-12);
+}
+
 /* Over two wheels, up, across and down: strands touch the wheels on the outside, from a radius below each mass's line
  * to one above the wheels, and what lies on a wheel is as far from its centre as that is large. */
 static void test_rope(void)
@@ -234,6 +257,7 @@ int main(int argc, char **argv)
     g_test_add_func("/plugins/drawing/mass", test_mass);
     g_test_add_func("/plugins/drawing/support", test_support);
     g_test_add_func("/plugins/drawing/motor", test_motor);
+    g_test_add_func("/plugins/drawing/bumper", test_bumper);
     g_test_add_func("/plugins/drawing/rope", test_rope);
     g_test_add_func("/plugins/drawing/cord", test_cord);
     g_test_add_func("/plugins/drawing/marker", test_marker);

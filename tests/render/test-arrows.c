@@ -218,6 +218,56 @@ static void test_tied_labels(void)
     }
 }
 
+/* What pushes ends where it acts, however long it is; its label stands at its start, and another one's does not. */
+static void test_pushing(void)
+{
+    static const TinkerForceArrow arrow = {1, 0.5, 4, 3, "normal force", TINKER_ARROW_NORMAL, TINKER_ARROW_PUSHES};
+    g_autoptr(GArray) places = g_array_new(FALSE, FALSE, sizeof(TinkerArrowPlace));
+    ArrowStage stage;
+    arrow_stage_open(&stage, "light", 0.5);
+    stage.options.places = places;
+    arrow_stage_draw(&stage, &arrow, 1);
+    g_assert_cmpuint(places->len, ==, 1);
+    const TinkerArrowPlace *place = &g_array_index(places, TinkerArrowPlace, 0);
+    const double truth[] = {ARROW_WIDTH / 2 - 50, ARROW_HEIGHT / 2 + 50, ARROW_WIDTH / 2 + 50, ARROW_HEIGHT / 2 - 25};
+    for (int k = 0; k < 4; k++)
+        g_assert_cmpfloat_with_epsilon(place->shaft[k], truth[k], 1e-9);
+    g_assert_cmpfloat(arrow_distance_to(place->label, truth[0], truth[1]), <, 12);
+    arrow_stage_close(&stage);
+}
+
+/* Where a drawing is all over the picture labels go over it, each with its own place, before one is left out; they stay
+ * within reach of their heads. */
+static void test_none_is_left_out(void)
+{
+    enum { COUNT = 20 };
+    static const double all[][4] = {{0, 0, ARROW_WIDTH, ARROW_HEIGHT}};
+    TinkerForceArrow arrows[COUNT];
+    for (int i = 0; i < COUNT; i++)
+        arrows[i] = (TinkerForceArrow){0,
+                                       0,
+                                       0.2 * cos(i * 2 * G_PI / COUNT),
+                                       0.2 * sin(i * 2 * G_PI / COUNT),
+                                       "A support with a name (Normal force)",
+                                       i % TINKER_ARROW_KINDS};
+    g_autoptr(GArray) places = g_array_new(FALSE, FALSE, sizeof(TinkerArrowPlace));
+    ArrowStage stage;
+    arrow_stage_open(&stage, "light", 1);
+    stage.options.roomy = TRUE;
+    stage.options.reach = 180;
+    stage.options.drawn = all;
+    stage.options.drawn_count = 1;
+    stage.options.places = places;
+    arrow_stage_draw(&stage, arrows, COUNT);
+    g_assert_cmpuint(stage.written->len, ==, COUNT);
+    arrow_stage_assert_inside_and_apart(&stage);
+    for (guint i = 0; i < places->len; i++) {
+        const TinkerArrowPlace *place = &g_array_index(places, TinkerArrowPlace, i);
+        g_assert_cmpfloat(arrow_distance_to(place->label, place->shaft[2], place->shaft[3]), <=, 180);
+    }
+    arrow_stage_close(&stage);
+}
+
 int main(int argc, char **argv)
 {
     g_test_init(&argc, &argv, NULL);
@@ -225,6 +275,8 @@ int main(int argc, char **argv)
     g_test_add_data_func("/render/arrows/place/light", "light", test_place);
     g_test_add_data_func("/render/arrows/place/dark", "dark", test_place);
     g_test_add_func("/render/arrows/places", test_places);
+    g_test_add_func("/render/arrows/pushing", test_pushing);
+    g_test_add_func("/render/arrows/none-is-left-out", test_none_is_left_out);
     g_test_add_func("/render/arrows/tied-labels", test_tied_labels);
     g_test_add_func("/render/arrows/crowd", test_crowd);
     g_test_add_func("/render/arrows/one-body", test_one_body);

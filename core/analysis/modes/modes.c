@@ -149,6 +149,22 @@ static int compare_modes(const void *left, const void *right)
     return (l->kind > r->kind) - (l->kind < r->kind);
 }
 
+/* Two real roots of one oscillator count where the larger one stands, as in the matrix form. */
+static void number_modes(const GPtrArray *modes)
+{
+    guint count = 0;
+    for (guint i = 0; i < modes->len; i++) {
+        TinkerMode *mode = g_ptr_array_index(modes, i);
+        if (mode->kind == TINKER_MODE_OSCILLATION || mode->kind == TINKER_MODE_GROWTH) mode->number = ++count;
+        for (guint k = 0; k < i && mode->kind == TINKER_MODE_DECAY && mode->number == 0; k++) {
+            TinkerMode *other = g_ptr_array_index(modes, k);
+            const gboolean pair = other->kind == TINKER_MODE_DECAY && other->number == 0 &&
+                                  other->natural == mode->natural && other->damping_ratio == mode->damping_ratio;
+            if (pair) mode->number = other->number = ++count;
+        }
+    }
+}
+
 GPtrArray *tinker_modes_of(const TinkerModalBasis *basis, GError **error)
 {
     g_autoptr(GPtrArray) modes = g_ptr_array_new_with_free_func(mode_free);
@@ -164,6 +180,7 @@ GPtrArray *tinker_modes_of(const TinkerModalBasis *basis, GError **error)
         return NULL;
     }
     g_ptr_array_sort(modes, compare_modes);
+    number_modes(modes);
     return g_steal_pointer(&modes);
 }
 

@@ -22,6 +22,9 @@ typedef struct {
     double frequency;     /* rad/s: |Im s| */
     double damping_ratio; /* -Re s / |s|, of such a pair its own; negative where an oscillation grows; NAN as above */
     double decay;         /* 1/s: -Re s, negative for growth */
+    guint number; /* of what swings or would but for its damping, from 1, as the matrix form numbers its frequencies:
+                     of a pair of decays that one oscillator makes the same; 0: of what nothing brings back, and of
+                     decays that dampers couple */
     double *real, *imaginary; /* the shape, `size` entries each; the largest component is 1 */
 } TinkerMode;
 

@@ -79,6 +79,40 @@ void tinker_book_add_motion(TinkerBookKeeper *keeper, const TinkerModelState *st
     books->angular[which] = sum.angular;
 }
 
+static void add_share(TinkerBookEntry *entry, const TinkerBookShare *share, gboolean rubs)
+{
+    entry->work += share->work;
+    entry->angular += share->angular;
+    for (int axis = 0; axis < 2; axis++) {
+        entry->force[axis] += share->force[axis];
+        entry->impulse[axis] += share->impulse[axis];
+    }
+    if (!rubs) return;
+    entry->rubs = TRUE;
+    entry->friction.work += share->work;
+    entry->friction.angular += share->angular;
+    for (int axis = 0; axis < 2; axis++) {
+        entry->friction.force[axis] += share->force[axis];
+        entry->friction.impulse[axis] += share->impulse[axis];
+    }
+}
+
+int tinker_book_parts(const TinkerBookEntry *entry, TinkerBookShare parts[2])
+{
+    parts[0] = (TinkerBookShare){.work = entry->work, .angular = entry->angular};
+    memcpy(parts[0].force, entry->force, sizeof entry->force);
+    memcpy(parts[0].impulse, entry->impulse, sizeof entry->impulse);
+    if (!entry->rubs) return 1;
+    parts[1] = entry->friction;
+    parts[0].work -= parts[1].work;
+    parts[0].angular -= parts[1].angular;
+    for (int axis = 0; axis < 2; axis++) {
+        parts[0].force[axis] -= parts[1].force[axis];
+        parts[0].impulse[axis] -= parts[1].impulse[axis];
+    }
+    return 2;
+}
+
 /* Between 1 and 2, another one for each force: parts of turns by irrational numbers come near to no other soon. */
 static double number_of(const TinkerActingForce *force)
 {
@@ -104,15 +138,14 @@ void tinker_book_add_forces(TinkerBookKeeper *keeper, const TinkerModelState *st
         const double number = number_of(force), each[] = {power, force->fx, force->fy, moment};
         for (int f = 0; f < TINKER_BOOK_FUNCTIONS; f++)
             values[f] += number * each[f];
-        account->entry.work += weight * power;
-        account->entry.impulse[0] += weight * force->fx;
-        account->entry.impulse[1] += weight * force->fy;
-        account->entry.angular += weight * moment;
+        const TinkerBookShare share = {.force = {end ? force->fx : 0, end ? force->fy : 0},
+                                       .work = weight * power,
+                                       .impulse = {weight * force->fx, weight * force->fy},
+                                       .angular = weight * moment};
+        add_share(&account->entry, &share, force->kind == TINKER_ACTING_FRICTION && hypot(force->fx, force->fy) > 0);
         account->work += weight * fabs(power);
         account->impulse += weight * hypot(force->fx, force->fy);
         account->angular += weight * fabs(moment);
-        if (end) account->entry.force[0] += force->fx;
-        if (end) account->entry.force[1] += force->fy;
     }
 }
 

@@ -12,14 +12,24 @@
 #include "equations/state/model-state.h"
 #include "physics/plan/run-options.h"
 
-/* What one block did. */
+/* What one kind of force of a block did. */
 typedef struct {
-    TinkerBlockId by;
-    gboolean inner;    /* it acts between the bodies: its forces cancel, and only its work counts */
     double force[2];   /* N, at the end */
     double work;       /* J */
     double impulse[2]; /* N s */
     double angular;    /* N m s, about the point */
+} TinkerBookShare;
+
+/* What one block did. */
+typedef struct {
+    TinkerBlockId by;
+    gboolean inner;           /* it acts between the bodies: its forces cancel, and only its work counts */
+    double force[2];          /* N, at the end */
+    double work;              /* J */
+    double impulse[2];        /* N s */
+    double angular;           /* N m s, about the point */
+    gboolean rubs;            /* it touches, and friction did something: */
+    TinkerBookShare friction; /* of all this by friction; the rest is of normal forces, and of impacts */
 } TinkerBookEntry;
 
 typedef struct {
@@ -53,6 +63,9 @@ typedef struct {
  * Errors are those of running. (transfer full) */
 TinkerBooks *tinker_books_new(TinkerScene *scene, const TinkerRunOptions *options, const TinkerBlockId *bodies,
                               double from, double to, const double about[2], GError **error);
+/* An entry as it is told: whole, or normal forces with impacts, and friction. How many parts there are. */
+int tinker_book_parts(const TinkerBookEntry *entry, TinkerBookShare parts[2]);
+
 void tinker_books_free(TinkerBooks *books);
 G_DEFINE_AUTOPTR_CLEANUP_FUNC(TinkerBooks, tinker_books_free)
 

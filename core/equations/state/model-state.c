@@ -108,6 +108,20 @@ double tinker_model_state_moment(const TinkerModelState *state, const TinkerActi
     return acting->torque + (acting->x - at->x) * acting->fy - (acting->y - at->y) * acting->fx;
 }
 
+double tinker_model_state_nothing(const TinkerModelState *state, TinkerBlockId body, gboolean moment)
+{
+    const TinkerBodySample *at = tinker_model_state_body(state, body);
+    double greatest = 0, moments = 0;
+    for (guint i = 0; i < state->forces->len; i++) {
+        const TinkerActingForce *force = &g_array_index(state->forces, TinkerActingForce, i);
+        const double strength = hypot(force->fx, force->fy);
+        if (force->on != body || !isfinite(strength)) continue;
+        greatest = fmax(greatest, strength);
+        if (at != NULL) moments += strength * hypot(force->x - at->x, force->y - at->y) + fabs(force->torque);
+    }
+    return TINKER_FORCE_NOTHING * (moment ? moments : greatest);
+}
+
 gboolean tinker_model_state_force(const TinkerModelState *state, TinkerBlockId by, TinkerBlockId on, int kind,
                                   double force[3])
 {

@@ -5,6 +5,9 @@
 #include "physics/run/acting-forces.h"
 #include "physics/run/simulation.h"
 
+/* Forces and moments below this share of the greatest that act with them are what rounding leaves, and shown as 0. */
+#define TINKER_FORCE_NOTHING 1e-12
+
 typedef struct {
     TinkerBlockId block;
     TinkerBodySample at;
@@ -35,6 +38,9 @@ const TinkerBodySample *tinker_model_state_body(const TinkerModelState *state, T
 
 /* The moment of a force about the centre of the body it acts on (N m). */
 double tinker_model_state_moment(const TinkerModelState *state, const TinkerActingForce *acting);
+
+/* What rounding alone may leave of a force on a body (N), or of a moment about its centre (N m). */
+double tinker_model_state_nothing(const TinkerModelState *state, TinkerBlockId body, gboolean moment);
 
 /* The sum of what `by` does to `on` (-1: to any block), of one kind (-1: of any): force, and moment about the centre of
  * each body. FALSE where there is nothing. */

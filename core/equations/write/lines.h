@@ -10,6 +10,7 @@ typedef struct {
     char *text;          /* in the format; of all but the first with the sign before it */
     TinkerBlockId block; /* -1: of none */
     TinkerTermKind kind; /* of a body's equation */
+    gboolean follows;    /* one value with the term before it, which has it */
     gboolean has_value;  /* of what is linear, at the time of the equations: */
     double value;
     TinkerDimension dimension;

@@ -54,6 +54,7 @@ void tinker_page_add_terms(const TinkerPage *page, GArray *terms, const TinkerEx
         const TinkerLineTerm term = {.text =
                                          term_text(page, part, variable != NULL ? terms->len == 0 : i == 0, variable),
                                      .block = block_of(page->equations, part),
+                                     .follows = i > 0,
                                      .has_value = i == 0 && !tinker_expression_is_number(factor, 0),
                                      .value = tinker_equations_value(page->equations, factor) * variable_value,
                                      .dimension = dimension};

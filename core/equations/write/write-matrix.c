@@ -54,6 +54,13 @@ static void write_row(TinkerPage *page, const TinkerMatrixIsland *island, guint 
                          tinker_page_expression(page, g_ptr_array_index(island->load, i)), NULL);
 }
 
+/* From where it is counted from, without what rounding leaves. */
+static double place_now(const TinkerPage *page, const TinkerMatrixCoordinate *each)
+{
+    const double value = tinker_equations_value(page->equations, each->is) - each->about;
+    return fabs(value) <= each->rounding + tinker_equations_rounding(page->equations, each->is) ? 0 : value;
+}
+
 static void write_coordinate(TinkerPage *page, const TinkerMatrixIsland *island, guint number)
 {
     const TinkerMatrixCoordinate *each = coordinate_at(island, number);
@@ -64,10 +71,8 @@ static void write_coordinate(TinkerPage *page, const TinkerMatrixIsland *island,
                             : g_strconcat(is, tinker_typeset_sign(page->format, rest > 0 ? '-' : '+'), about, NULL);
     tinker_page_equation(page, coordinate(page, island, number, 0), right,
                          g_strdup(island->about_rest ? _("counted from rest") : _("its place")));
-    const double value = tinker_equations_value(page->equations, each->is) - each->about;
-    const gboolean is_rest = fabs(value) <= each->rounding + tinker_equations_rounding(page->equations, each->is);
     tinker_page_equation(page, coordinate(page, island, number, 0),
-                         tinker_page_quantity(page, is_rest ? 0 : value, length),
+                         tinker_page_quantity(page, place_now(page, each), length),
                          g_strdup_printf(C_("equations", "at t = %g s"), page->equations->time));
 }
 
@@ -116,14 +121,41 @@ static void write_second_order(TinkerPage *page, const TinkerMatrixIsland *islan
     tinker_page_equation(page, g_string_free(sum, FALSE), tinker_page_expression(page, load), NULL);
 }
 
-static void write_roots(TinkerPage *page, const TinkerMatrixIsland *island)
+/* By which pairs of roots are ordered: the larger of the two; 0: nothing brings it back. */
+static double root_size(const TinkerMatrixIsland *island, guint pair)
+{
+    const double omega = island->omega[pair], zeta = fabs(island->zeta[pair]);
+    if (isnan(omega)) return fmax(fabs(island->unstable[2 * pair]), fabs(island->unstable[2 * pair + 1]));
+    return zeta > 1 ? omega * (zeta + sqrt(zeta * zeta - 1)) : omega;
+}
+
+/* Where a pair stands among those of all islands, from 1: so modes are numbered (analysis/modes/modes.h), too. */
+static guint pair_number(const TinkerMatrixForm *form, const TinkerMatrixIsland *island, guint pair)
+{
+    const double size = root_size(island, pair);
+    gboolean is_before = TRUE; /* in the form */
+    guint number = 1;
+    for (guint i = 0; i < form->islands->len; i++) {
+        const TinkerMatrixIsland *each = g_ptr_array_index(form->islands, i);
+        for (guint k = 0; k < each->coordinates->len; k++) {
+            if (each == island && k == pair) is_before = FALSE;
+            const double other = root_size(each, k);
+            if (other > 0 && (other < size || (other == size && is_before))) number++;
+        }
+    }
+    return number;
+}
+
+static void write_roots(TinkerPage *page, const TinkerMatrixForm *form, const TinkerMatrixIsland *island)
 {
     static const TinkerDimension pure = {0, 0, 0, 0}, rate = {0, 0, -1, 0};
     const guint n = island->coordinates->len;
     if (n == 1) write_second_order(page, island);
     for (guint i = 0; i < n; i++) {
-        g_autofree char *index = n == 1 ? g_strdup("0") : g_strdup_printf("%u", i + 1);
         const double omega = island->omega[i], zeta = fabs(island->zeta[i]) < ROUNDING ? 0 : island->zeta[i];
+        g_autofree char *index = n == 1       ? g_strdup("0")
+                                 : omega == 0 ? g_strdup("")
+                                              : g_strdup_printf("%u", pair_number(form, island, i));
         if (isnan(omega)) {
             tinker_page_equation(
                 page, named(page, "s", index),
@@ -176,8 +208,7 @@ static Motion motion_of(const TinkerPage *page, const TinkerMatrixIsland *island
     const guint n = island->coordinates->len;
     for (guint i = 0; i < n; i++) {
         motion.at[1][i] = velocity(page, coordinate_at(island, i));
-        motion.at[2][i] =
-            tinker_equations_value(page->equations, coordinate_at(island, i)->is) - coordinate_at(island, i)->about;
+        motion.at[2][i] = place_now(page, coordinate_at(island, i));
     }
     for (guint i = 0; i < n; i++) {
         double sum = entry_value(page, island->load, i);
@@ -187,6 +218,18 @@ static Motion motion_of(const TinkerPage *page, const TinkerMatrixIsland *island
         motion.at[0][i] = sum / entry_value(page, island->mass, i * n + i);
     }
     return motion;
+}
+
+/* The greatest of the values; those that rounding leaves beside `greatest` become 0. */
+static double settle_values(GArray *terms, double greatest)
+{
+    double most = 0;
+    for (guint i = 0; i < terms->len; i++) {
+        TinkerLineTerm *term = &g_array_index(terms, TinkerLineTerm, i);
+        if (fabs(term->value) <= TINKER_FORCE_NOTHING * greatest) term->value = 0;
+        most = fmax(most, fabs(term->value));
+    }
+    return most;
 }
 
 /* Row i for who shows it in parts, each of its block. */
@@ -203,6 +246,9 @@ static void line_row(TinkerPage *page, const TinkerMatrixIsland *island, guint i
                 tinker_page_add_terms(page, line->left_terms, entry, variable, motion->at[order][k], force);
         }
     tinker_page_add_terms(page, line->terms, g_ptr_array_index(island->load, i), NULL, 1, force);
+    const double greatest = fmax(settle_values(line->left_terms, 0), settle_values(line->terms, 0));
+    settle_values(line->left_terms, greatest);
+    settle_values(line->terms, greatest);
 }
 
 static void write_rows(TinkerPage *page, const TinkerMatrixIsland *island)
@@ -276,7 +322,7 @@ static void write_patterns(TinkerPage *page, const TinkerMatrixIsland *island)
         tinker_page_pattern(page, island, kind);
 }
 
-static void write_island(TinkerPage *page, const TinkerMatrixIsland *island)
+static void write_island(TinkerPage *page, const TinkerMatrixForm *form, const TinkerMatrixIsland *island)
 {
     const guint n = island->coordinates->len;
     g_autoptr(GString) heading = g_string_new(NULL);
@@ -297,7 +343,7 @@ static void write_island(TinkerPage *page, const TinkerMatrixIsland *island)
     for (guint i = 0; i < n; i++)
         write_coordinate(page, island, i);
     tinker_page_gap(page);
-    write_roots(page, island);
+    write_roots(page, form, island);
 }
 
 /* What the symbols of all islands stand for. */
@@ -330,9 +376,9 @@ static gboolean is_large(const TinkerMatrixForm *form, TinkerBlockId first)
 void tinker_equations_put_matrix(TinkerPage *page, const TinkerMatrixForm *form, const TinkerEquationsShown *shown)
 {
     for (guint i = 0; i < form->islands->len; i++)
-        write_island(page, g_ptr_array_index(form->islands, i));
+        write_island(page, form, g_ptr_array_index(form->islands, i));
     for (guint i = 0; i < form->large->len; i++)
-        write_island(page, g_ptr_array_index(form->large, i));
+        write_island(page, form, g_ptr_array_index(form->large, i));
     write_names(page, form);
     for (guint i = 0; i < form->why->len; i++) {
         const TinkerNotWritten *reason = g_ptr_array_index(form->why, i);

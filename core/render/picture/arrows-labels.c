@@ -131,20 +131,23 @@ static gboolean is_seen_from(const ArrowDiagram *diagram, const double box[4], c
     return TRUE;
 }
 
-/* The free place in all of the picture that is nearest to the head, of those that are seen from there if there are any;
- * `best` stays where there is none. */
-static void find_free_place(const ArrowDiagram *diagram, const ArrowShaft *shaft, const double size[2], double best[4])
+/* The place, free of these, that is nearest to the head, of those that are seen from there if there are any; `best`
+ * stays where there is none within reach. */
+static void find_free_place(const ArrowDiagram *diagram, const ArrowShaft *shaft, const double size[2], guint8 of,
+                            double best[4])
 {
     const TinkerView *view = diagram->view;
     double end[2], least = INFINITY;
     gboolean any_seen = FALSE;
     label_end(diagram, shaft, end);
-    for (double top = MARGIN; top + size[1] <= view->height - MARGIN; top += CELL)
-        for (double left = MARGIN; left + size[0] <= view->width - MARGIN; left += CELL) {
+    const double reach = diagram->options->reach > 0 ? diagram->options->reach : INFINITY;
+    const double bottom = fmin(view->height - MARGIN, end[1] + reach + size[1]);
+    const double right = fmin(view->width - MARGIN, end[0] + reach + size[0]);
+    for (double top = fmax(MARGIN, end[1] - reach - size[1]); top + size[1] <= bottom; top += CELL)
+        for (double left = fmax(MARGIN, end[0] - reach - size[0]); left + size[0] <= right; left += CELL) {
             const double box[4] = {left, top, left + size[0], top + size[1]};
             const double off = distance_to(box, end);
-            if ((any_seen && off >= least) || !is_free(diagram, box, TINKER_TAKEN_BY_TEXT | TINKER_TAKEN_BY_DRAWING))
-                continue;
+            if (off > reach || (any_seen && off >= least) || !is_free(diagram, box, of)) continue;
             const gboolean seen = is_seen_from(diagram, box, end);
             if (seen == any_seen ? off >= least : any_seen) continue;
             any_seen = seen;
@@ -195,7 +198,9 @@ static void write_label(ArrowDiagram *diagram, ArrowShaft *shaft)
     size[0] += BAR + BAR_GAP;
     find_near_place(diagram, shaft, size, best);
     if (diagram->options->roomy && !is_free(diagram, best, TINKER_TAKEN_BY_TEXT | TINKER_TAKEN_BY_DRAWING))
-        find_free_place(diagram, shaft, size, best);
+        find_free_place(diagram, shaft, size, TINKER_TAKEN_BY_TEXT | TINKER_TAKEN_BY_DRAWING, best);
+    if (diagram->options->roomy && !is_free(diagram, best, TINKER_TAKEN_BY_TEXT))
+        find_free_place(diagram, shaft, size, TINKER_TAKEN_BY_TEXT, best);
     if (!is_free(diagram, best, TINKER_TAKEN_BY_TEXT)) return;
     draw_plate(diagram, shaft, best);
     if (diagram->options->roomy && needs_leader(diagram, shaft, best)) draw_leader(diagram, shaft, best);

@@ -9,10 +9,9 @@
 
 /* Canvas units. */
 #define LEAST_LENGTH 3.0
-#define BESIDE       7.0 /* between arrows that would lie on each other */
-#define TOGETHER     2.0 /* starts so near to each other are one */
+#define BESIDE       8.0 /* between arrows that would lie on each other */
 
-#define SAME_WAY 0.995 /* cosine */
+#define SLANT 0.12 /* sine of the angle between arrows that lie along each other */
 
 static double strength_of(const TinkerForceArrow *arrow)
 {
@@ -42,30 +41,40 @@ double tinker_arrows_scale(const TinkerForceArrow *arrows, gsize count, const Ti
     return round_number(wanted);
 }
 
-/* How many of the arrows so far it would lie on. */
-static int count_beneath(const ArrowDiagram *diagram, const ArrowShaft *shaft)
+/* Whether two arrows lie on one line and over each other, whichever way they point. */
+static gboolean lie_together(const ArrowShaft *a, const ArrowShaft *b, double beside)
 {
-    double unit = 1 / diagram->view->scale, dx = shaft->x2 - shaft->x1, dy = shaft->y2 - shaft->y1;
-    int count = 0;
-    for (guint i = 0; i < diagram->shafts->len && i < ARROWS_MOST_LABELS; i++) {
-        const ArrowShaft *other = &g_array_index(diagram->shafts, ArrowShaft, i);
-        double ox = other->x2 - other->x1, oy = other->y2 - other->y1;
-        if (hypot(other->arrow->x - shaft->arrow->x, other->arrow->y - shaft->arrow->y) > TOGETHER * unit) continue;
-        if (dx * ox + dy * oy >= SAME_WAY * hypot(dx, dy) * hypot(ox, oy)) count++;
-    }
-    return count;
+    const double ax = a->x2 - a->x1, ay = a->y2 - a->y1, bx = b->x2 - b->x1, by = b->y2 - b->y1;
+    const double length = hypot(ax, ay), ux = ax / length, uy = ay / length, x = b->x1 - a->x1, y = b->y1 - a->y1;
+    if (fabs(ux * y - uy * x) > 0.9 * beside || fabs(ux * by - uy * bx) > SLANT * hypot(bx, by)) return FALSE;
+    const double from = ux * x + uy * y, to = from + ux * bx + uy * by;
+    return fmax(from, to) > 1e-6 * length && fmin(from, to) < length * (1 - 1e-6);
 }
 
-/* To one side, to the other, farther to the first. */
+static gboolean is_alone(const ArrowDiagram *diagram, const ArrowShaft *shaft, double beside)
+{
+    for (guint i = 0; i < diagram->shafts->len && i < ARROWS_MOST_LABELS; i++)
+        if (lie_together(&g_array_index(diagram->shafts, ArrowShaft, i), shaft, beside)) return FALSE;
+    return TRUE;
+}
+
+/* To one side, to the other, farther to the first; where there is no room it stays. */
 static void move_beside(const ArrowDiagram *diagram, ArrowShaft *shaft)
 {
-    int beneath = count_beneath(diagram, shaft);
-    double dx = shaft->x2 - shaft->x1, dy = shaft->y2 - shaft->y1, length = hypot(dx, dy);
-    double off = (beneath + 1) / 2 * (beneath % 2 ? BESIDE : -BESIDE) / (diagram->view->scale * length);
-    shaft->x1 += off * dy;
-    shaft->x2 += off * dy;
-    shaft->y1 -= off * dx;
-    shaft->y2 -= off * dx;
+    static const int steps[] = {0, 1, -1, 2, -2, 3, -3, 4, -4};
+    const double dx = shaft->x2 - shaft->x1, dy = shaft->y2 - shaft->y1, length = hypot(dx, dy);
+    const double beside = BESIDE / diagram->view->scale;
+    for (gsize i = 0; i < G_N_ELEMENTS(steps); i++) {
+        const double off = steps[i] * beside / length;
+        ArrowShaft moved = *shaft;
+        moved.x1 += off * dy;
+        moved.x2 += off * dy;
+        moved.y1 -= off * dx;
+        moved.y2 -= off * dx;
+        if (!is_alone(diagram, &moved, beside)) continue;
+        *shaft = moved;
+        return;
+    }
 }
 
 static int stronger_first(const void *left, const void *right)
@@ -104,7 +113,9 @@ void arrows_find_shafts(ArrowDiagram *diagram, const TinkerForceArrow *arrows, g
     for (guint i = 0; i < sorted->len; i++) {
         const TinkerForceArrow *arrow = g_ptr_array_index(sorted, i);
         double scale = diagram->options->scale;
-        ArrowShaft shaft = {arrow, arrow->x, arrow->y, arrow->x + scale * arrow->fx, arrow->y + scale * arrow->fy, {0}};
+        const double x = scale * arrow->fx, y = scale * arrow->fy, back = arrow->look & TINKER_ARROW_PUSHES ? 1 : 0;
+        const double start[] = {arrow->x - back * x, arrow->y - back * y};
+        ArrowShaft shaft = {arrow, start[0], start[1], start[0] + x, start[1] + y, {0}};
         if (!clip(diagram, &shaft)) continue;
         move_beside(diagram, &shaft);
         g_array_append_val(diagram->shafts, shaft);

@@ -67,6 +67,11 @@ static void draw_shafts(ArrowDiagram *diagram, gboolean halo)
     const TinkerTheme *theme = diagram->options->theme;
     style.state = halo ? TINKER_STATE_HIGHLIGHTED : 0;
     memcpy(style.colours[TINKER_COLOUR_HIGHLIGHTED], theme->background, sizeof(theme->background));
+    /* beneath all arrows, of which another may end where the ring is */
+    for (guint i = 0; !halo && i < diagram->shafts->len; i++) {
+        const ArrowShaft *shaft = &g_array_index(diagram->shafts, ArrowShaft, i);
+        if (shaft->arrow->look & TINKER_ARROW_STUB) draw_ring(diagram, shaft);
+    }
     for (guint i = 0; i < diagram->shafts->len; i++) {
         const ArrowShaft *shaft = &g_array_index(diagram->shafts, ArrowShaft, i);
         set_shaft_colour(diagram, shaft, &style);
@@ -74,7 +79,6 @@ static void draw_shafts(ArrowDiagram *diagram, gboolean halo)
         style.symbol_size = fmin(diagram->brush.style.symbol_size, HEAD_SHARE * length);
         style.arrow(&style, diagram->cairo, TINKER_COLOUR_FORCE, shaft->x1, shaft->y1, shaft->x2, shaft->y2);
         if (!halo && (shaft->arrow->look & TINKER_ARROW_BROKEN)) draw_break(diagram, shaft);
-        if (!halo && (shaft->arrow->look & TINKER_ARROW_STUB)) draw_ring(diagram, shaft);
     }
 }
 

@@ -29,11 +29,11 @@ const double *tinker_arrow_colour(const TinkerTheme *theme, TinkerArrowKind kind
 #define TINKER_ARROW_BROKEN (1u << 0) /* longer than it is drawn: a gap in the shaft */
 #define TINKER_ARROW_STUB   (1u << 1) /* shorter than it is drawn: a ring at its start */
 #define TINKER_ARROW_FADED  (1u << 2) /* others are what is looked at */
-#define TINKER_ARROW_PUSHES (1u << 3) /* ends on what it acts on: the label stands at its start */
+#define TINKER_ARROW_PUSHES (1u << 3) /* ends where it acts: the label stands at its start */
 
 /* One force. */
 typedef struct {
-    double x, y;       /* m: where it acts, in the world; the arrow starts there */
+    double x, y;       /* m: where it acts, in the world; the arrow starts there, or ends where it pushes */
     double fx, fy;     /* N */
     const char *label; /* UTF-8, beside the arrow's head: "Spring 0 12.3 N". NULL: none. Borrowed */
     TinkerArrowKind kind;
@@ -57,6 +57,7 @@ typedef struct {
     int drawn_count;
     gboolean roomy; /* there is room around the arrows: labels go farther off before they cover a drawing, and are cut
                        later */
+    double reach;   /* canvas units: how far from its head a label may go where there is room; 0: anywhere */
     GArray
         *places; /* of TinkerArrowPlace: receives those that show, the strongest first; NULL: nobody asks. Borrowed */
 } TinkerArrowOptions;
@@ -67,9 +68,9 @@ typedef struct {
 double tinker_arrows_scale(const TinkerForceArrow *arrows, gsize count, const TinkerView *view, double previous);
 
 /* Draws the arrows and then their labels, those of the greatest forces first. A label stands by the head of its arrow
- * and inside the picture; one that could only stand on another is left out. Arrows that start together and point the
- * same way are drawn side by side. What is too short to be seen, not finite or out of the picture is passed over. The
- * context's own units are the view's canvas units. */
+ * and inside the picture; one that could only stand on another is left out; where there is room it goes over a
+ * drawing before that. Arrows that would lie along each other are drawn side by side. What is too short to be seen, not
+ * finite or out of the picture is passed over. The context's own units are the view's canvas units. */
 void tinker_arrows_draw(cairo_t *cairo, const TinkerView *view, const TinkerForceArrow *arrows, gsize count,
                         const TinkerArrowOptions *options);
 

@@ -30,6 +30,24 @@ static void add_row(TinkerTextTable *table, const char *label, const double *val
         add_number(table, values[i], scales[i]);
 }
 
+enum { FORCES, WORK, IMPULSES };
+
+/* A row for each part of entry number `i`: of a contact two. */
+static void add_parts(TinkerTextTable *table, const TinkerBooks *books, TinkerScene *scene, guint i, int what,
+                      const double *scales)
+{
+    TinkerBookShare parts[2];
+    const int count = tinker_book_parts(entry_at(books, i), parts);
+    for (int k = 0; k < count; k++) {
+        const double rows[][3] = {{parts[k].force[0], parts[k].force[1]},
+                                  {parts[k].work},
+                                  {parts[k].impulse[0], parts[k].impulse[1], parts[k].angular}};
+        static const int columns[] = {2, 1, 3};
+        g_autofree char *name = tinker_book_part_name(books, scene, entry_at(books, i), k);
+        add_row(table, name, rows[what], scales, columns[what]);
+    }
+}
+
 static void heading(FILE *file, const char *text)
 {
     fputc('\n', file);
@@ -49,9 +67,7 @@ static void write_newton(const TinkerBooks *books, TinkerScene *scene, FILE *fil
     g_autofree char *title = g_strdup_printf("Newton, at t = %g s (N)", books->to);
     heading(file, title);
     for (guint i = 0; i < books->entries->len; i++)
-        if (!entry_at(books, i)->inner)
-            add_row(table, tinker_scene_block_name(scene, entry_at(books, i)->by), entry_at(books, i)->force, scales,
-                    2);
+        if (!entry_at(books, i)->inner) add_parts(table, books, scene, i, FORCES, scales);
     add_row(table, "= m a", books->rate, scales, 2);
     tinker_text_table_write(table, file);
     write_residual(file, &books->newton, "N");
@@ -63,8 +79,7 @@ static void write_energy(const TinkerBooks *books, TinkerScene *scene, FILE *fil
     heading(file, "Work and energy (J)");
     add_row(table, "kinetic energy before", &books->kinetic[0], &books->energy.scale, 1);
     for (guint i = 0; i < books->entries->len; i++)
-        add_row(table, tinker_scene_block_name(scene, entry_at(books, i)->by), &entry_at(books, i)->work,
-                &books->energy.scale, 1);
+        add_parts(table, books, scene, i, WORK, &books->energy.scale);
     add_row(table, "= kinetic energy after", &books->kinetic[1], &books->energy.scale, 1);
     tinker_text_table_write(table, file);
     write_residual(file, &books->energy, "J");
@@ -80,11 +95,8 @@ static void write_momentum(const TinkerBooks *books, TinkerScene *scene, FILE *f
     const double before[] = {books->momentum[0][0], books->momentum[0][1], books->angular[0]};
     const double after[] = {books->momentum[1][0], books->momentum[1][1], books->angular[1]};
     add_row(table, "momentum before", before, scales, 3);
-    for (guint i = 0; i < books->entries->len; i++) {
-        const TinkerBookEntry *entry = entry_at(books, i);
-        const double values[] = {entry->impulse[0], entry->impulse[1], entry->angular};
-        if (!entry->inner) add_row(table, tinker_scene_block_name(scene, entry->by), values, scales, 3);
-    }
+    for (guint i = 0; i < books->entries->len; i++)
+        if (!entry_at(books, i)->inner) add_parts(table, books, scene, i, IMPULSES, scales);
     add_row(table, "= momentum after", after, scales, 3);
     tinker_text_table_write(table, file);
     write_residual(file, &books->impulse, "N s");

@@ -3,6 +3,7 @@
 
 #include "cli/report/mode-report.h"
 #include "common/overlay/mode-shape.h"
+#include "common/words/mode-words.h"
 #include "render/picture/ghost.h"
 
 static char *numbered_path(const char *path, guint number)

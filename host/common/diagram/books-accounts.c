@@ -11,7 +11,7 @@ static void entry_clear(gpointer data)
     g_free(((TinkerAccountEntry *)data)->name);
 }
 
-static double given(const TinkerBookEntry *entry, TinkerAccountKind which)
+static double given(const TinkerBookShare *entry, TinkerAccountKind which)
 {
     switch (which) {
     case TINKER_ACCOUNT_FORCE_X:
@@ -63,10 +63,11 @@ static char *title_of_account(const TinkerBooksPicture *picture, TinkerAccountKi
     return g_strdup_printf(_("Angular impulse and momentum about %s"), about);
 }
 
-TinkerPointed tinker_account_thing(const TinkerBooksPicture *picture, const TinkerBookEntry *entry)
+TinkerPointed tinker_account_thing(const TinkerBooksPicture *picture, const TinkerBookEntry *entry, int part)
 {
     TinkerPointed thing = tinker_pointed_block(entry->by);
     if (picture->bodies[0] >= 0 && picture->bodies[1] < 0) thing.on = picture->bodies[0];
+    if (entry->rubs && thing.on >= 0) thing.part = part == 0 ? TINKER_POINTED_NORMAL : TINKER_POINTED_FRICTION;
     return thing;
 }
 
@@ -86,6 +87,15 @@ static void drop_rounding(TinkerAccount *account, double rounding)
     }
 }
 
+/* What stood at the beginning, and what came of it. */
+static const char *total_name(TinkerAccountKind which, gboolean before)
+{
+    if (which <= TINKER_ACCOUNT_FORCE_Y) return _("= m a");
+    if (which == TINKER_ACCOUNT_ENERGY) return before ? _("kinetic energy before") : _("= kinetic energy after");
+    if (which == TINKER_ACCOUNT_ANGULAR) return before ? _("angular momentum before") : _("= angular momentum after");
+    return before ? _("momentum before") : _("= momentum after");
+}
+
 TinkerAccount tinker_account_of(const TinkerBooksPicture *picture, TinkerAccountKind which)
 {
     static const TinkerDimension dimensions[TINKER_ACCOUNTS] = {TINKER_DIMENSION_FORCE,  TINKER_DIMENSION_FORCE,
@@ -99,15 +109,19 @@ TinkerAccount tinker_account_of(const TinkerBooksPicture *picture, TinkerAccount
     double totals[2];
     g_array_set_clear_func(account.entries, entry_clear);
     totals_of(books, which, totals);
-    if (which > TINKER_ACCOUNT_FORCE_Y) add_total(&account, _("before"), totals[0]);
+    if (which > TINKER_ACCOUNT_FORCE_Y) add_total(&account, total_name(which, TRUE), totals[0]);
     for (guint i = 0; i < books->entries->len; i++) {
         const TinkerBookEntry *entry = &g_array_index(books->entries, TinkerBookEntry, i);
         if (entry->inner && which != TINKER_ACCOUNT_ENERGY) continue; /* it cancels */
-        const TinkerAccountEntry one = {g_strdup(tinker_scene_block_name(picture->scene, entry->by)),
-                                        given(entry, which), FALSE, tinker_account_thing(picture, entry)};
-        g_array_append_val(account.entries, one);
+        TinkerBookShare parts[2];
+        const int count = tinker_book_parts(entry, parts);
+        for (int k = 0; k < count; k++) {
+            const TinkerAccountEntry one = {tinker_book_part_name(books, picture->scene, entry, k),
+                                            given(&parts[k], which), FALSE, tinker_account_thing(picture, entry, k)};
+            g_array_append_val(account.entries, one);
+        }
     }
-    add_total(&account, which <= TINKER_ACCOUNT_FORCE_Y ? _("= m a") : _("= after"), totals[1]);
+    add_total(&account, total_name(which, FALSE), totals[1]);
     drop_rounding(&account, rounding_of(books, which, account.balance->scale));
     return account;
 }

@@ -37,10 +37,13 @@ G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC(TinkerAccount, tinker_account_clear)
 /* Where there is no room for all, the least become one. */
 void tinker_account_gather(TinkerAccount *account, guint most);
 
-/* What an entry of the books is of: in the books of one body the forces on it alone. */
-TinkerPointed tinker_account_thing(const TinkerBooksPicture *picture, const TinkerBookEntry *entry);
+/* What an entry of the books, or a part of it, is of: in the books of one body the forces on it alone. */
+TinkerPointed tinker_account_thing(const TinkerBooksPicture *picture, const TinkerBookEntry *entry, int part);
 
 /* The point that angular impulse and momentum are about: "the origin", "(1 m, 2 m)". (transfer full) */
 char *tinker_books_about(const TinkerBooks *books, TinkerScene *scene);
+
+/* What a part of an entry is called (books.h): "Spring 0", "Floor (Normal force)". (transfer full) */
+char *tinker_book_part_name(const TinkerBooks *books, TinkerScene *scene, const TinkerBookEntry *entry, int part);
 
 #endif

@@ -195,9 +195,11 @@ static char *title_of(const Drawing *drawing)
 static gboolean any_is_lit(const TinkerBooksPicture *picture)
 {
     for (guint i = 0; i < picture->books->entries->len; i++) {
-        const TinkerPointed thing =
-            tinker_account_thing(picture, &g_array_index(picture->books->entries, TinkerBookEntry, i));
-        if (tinker_pointed_lights(picture->lit, &thing)) return TRUE;
+        for (int part = 0; part < 2; part++) {
+            const TinkerPointed thing =
+                tinker_account_thing(picture, &g_array_index(picture->books->entries, TinkerBookEntry, i), part);
+            if (tinker_pointed_lights(picture->lit, &thing)) return TRUE;
+        }
     }
     return FALSE;
 }

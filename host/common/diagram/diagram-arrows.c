@@ -1,48 +1,17 @@
-/* The forces as arrows: one scale for all, and those that would lie on each other moved apart. */
+/* The forces as arrows, in one scale. */
 #include <math.h>
 
 #include "common/diagram/diagram-picture-private.h"
 #include "common/diagram/diagram-scale.h"
 
 /* Canvas units. */
-#define BESIDE      10.0 /* between arrows that would lie on each other */
-#define LEAST_ARROW 4.0  /* shorter ones could not be seen */
+#define BEHIND      8.0 /* from the head of a normal force to where its friction begins */
+#define LEAST_ARROW 4.0 /* shorter ones could not be seen */
 
-/* Whether two arrows lie on one line and over each other. */
-static gboolean lie_together(const TinkerForceArrow *a, const TinkerForceArrow *b, double beside)
+double diagram_arrow_start(const TinkerForceArrow *arrow, int axis)
 {
-    const double length = hypot(a->fx, a->fy), other = hypot(b->fx, b->fy);
-    const double ux = a->fx / length, uy = a->fy / length;
-    if (fabs(ux * b->fy - uy * b->fx) > 0.12 * other) return FALSE;
-    if (fabs(ux * (b->y - a->y) - uy * (b->x - a->x)) > 0.9 * beside) return FALSE;
-    const double from = ux * (b->x - a->x) + uy * (b->y - a->y), to = from + ux * b->fx + uy * b->fy;
-    return fmax(from, to) > 1e-6 * length && fmin(from, to) < length * (1 - 1e-6);
-}
-
-static void move_apart(const DiagramPart *part, TinkerForceArrow *arrow)
-{
-    static const double steps[] = {0, 1, -1, 2, -2, 3, -3, 4, -4};
-    const double length = hypot(arrow->fx, arrow->fy), beside = BESIDE / part->view->scale;
-    const double x = arrow->x, y = arrow->y;
-    for (gsize i = 0; i < G_N_ELEMENTS(steps); i++) {
-        gboolean alone = TRUE;
-        arrow->x = x + steps[i] * beside * arrow->fy / length;
-        arrow->y = y - steps[i] * beside * arrow->fx / length;
-        for (guint k = 0; k < part->arrows->len && alone; k++)
-            alone = !lie_together(&g_array_index(part->arrows, TinkerForceArrow, k), arrow, beside);
-        if (alone) return;
-    }
-    arrow->x = x;
-    arrow->y = y;
-}
-
-/* What pushes ends where it acts: its arrow stands outside of the body. */
-static gboolean pushes(const DiagramDrawing *drawing, const TinkerDiagramForce *force)
-{
-    double x, y, orientation;
-    tinker_frame_centre(drawing->picture->frame, force->on, &x, &y, &orientation);
-    const double inward = force->force[0] * (x - force->point[0]) + force->force[1] * (y - force->point[1]);
-    return inward > 0.3 * diagram_strength(force->force) * hypot(x - force->point[0], y - force->point[1]);
+    const double point = axis == 0 ? arrow->x : arrow->y, force = axis == 0 ? arrow->fx : arrow->fy;
+    return arrow->look & TINKER_ARROW_PUSHES ? point - force : point;
 }
 
 /* Adds an arrow of this force, which takes the label over. */
@@ -59,15 +28,14 @@ static void add_arrow(DiagramPart *part, const double point[2], const double for
                               .fy = force[1] / size * shown,
                               .label = label,
                               .kind = kind};
-    if (to_point) {
-        arrow.look |= TINKER_ARROW_PUSHES;
-        arrow.x -= arrow.fx;
-        arrow.y -= arrow.fy;
+    if (to_point) arrow.look |= TINKER_ARROW_PUSHES;
+    if (kind == TINKER_ARROW_FRICTION) { /* beside the head of the normal force */
+        arrow.x += BEHIND * unit * force[0] / size;
+        arrow.y += BEHIND * unit * force[1] / size;
     }
     if (diagram_is_broken(drawing, size)) arrow.look |= TINKER_ARROW_BROKEN;
     if (diagram_is_stub(drawing, size)) arrow.look |= TINKER_ARROW_STUB;
     if (faded) arrow.look |= TINKER_ARROW_FADED;
-    move_apart(part, &arrow);
     g_ptr_array_add(part->texts, label);
     g_array_append_val(part->arrows, arrow);
 }
@@ -100,8 +68,9 @@ void diagram_add_forces(DiagramPart *part)
     for (guint i = 0; i < drawing->forces->len; i++) {
         const TinkerDiagramForce *force = &g_array_index(drawing->forces, TinkerDiagramForce, i);
         g_autofree char *name = drawing->numbered ? g_strdup_printf("%u", i + 1) : diagram_force_name(drawing, force);
-        add_arrow(part, force->point, force->force, pushes(drawing, force), diagram_arrow_kind(force->kind),
-                  some_lit && !is_lit(drawing, i), label_of(part, name, force->force));
+        add_arrow(part, force->point, force->force,
+                  tinker_force_arrow_pushes(drawing->picture->frame, force->on, force->point, force->force),
+                  diagram_arrow_kind(force->kind), some_lit && !is_lit(drawing, i), label_of(part, name, force->force));
     }
 }
 

@@ -4,7 +4,7 @@
 #include "common/diagram/diagram-picture-private.h"
 #include "render/picture/painter.h"
 
-#define BODY_SHARE 0.24 /* of the lesser side of its part of the paper, for one body; */
+#define BODY_SHARE 0.3  /* of the lesser side of its part of the paper, for one body; */
 #define WIDE_SHARE 0.42 /* for several */
 
 /* The world box of what the diagram is of. */

@@ -4,7 +4,6 @@
 
 #include "common/diagram/diagram-picture-private.h"
 
-#define NOTHING   1e-12 /* components below this share of the greatest force are 0 */
 #define MOST_ROWS 10
 #define NARROW    560.0 /* canvas units: below it partners are left out, */
 #define NARROWEST 330.0 /* and below this what is along x and y */
@@ -35,7 +34,7 @@ static void list_row_clear(gpointer data)
 static void add_row(const DiagramDrawing *drawing, GArray *rows, char *name, const double force[2],
                     const double *colour, char *partner, const TinkerDiagramForce *of)
 {
-    const double least = NOTHING * diagram_greatest_force(drawing->picture->diagram);
+    const double least = TINKER_FORCE_NOTHING * diagram_greatest_force(drawing->picture->diagram);
     double shown[2]; /* without what rounding leaves */
     for (int axis = 0; axis < 2; axis++)
         shown[axis] = fabs(force[axis]) > least ? force[axis] : 0;

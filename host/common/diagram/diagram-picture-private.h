@@ -84,6 +84,8 @@ void diagram_draw_bodies(DiagramDrawing *drawing, const TinkerView *view);
 /* diagram-arrows.c: adds the arrows of a part; notes where those of forces were drawn, in a part at this place. */
 void diagram_add_forces(DiagramPart *part);
 void diagram_add_resultant(DiagramPart *part);
+/* Where an arrow begins, along x (0) or y. */
+double diagram_arrow_start(const TinkerForceArrow *arrow, int axis);
 void diagram_add_spots(const DiagramPart *part, const GArray *places, const double at[2]);
 
 /* diagram-turns.c: where turning arrows and their labels have room beside the arrows of the part; and draws them. */

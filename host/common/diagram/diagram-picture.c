@@ -16,6 +16,8 @@
 
 #define ARROW_SHARE 0.36 /* of the lesser side of its part of the paper */
 #define FREE_SHARE  0.58 /* of the width, for the free-body diagram where both are drawn */
+#define WIDE_ARROWS                                                                                                    \
+    1.25 /* of the width of a part, which arrows go across from its middle, to the height that they want */
 
 static void draw_part(DiagramDrawing *drawing, const double place[4], const char *heading, gboolean kinetic)
 {
@@ -108,7 +110,7 @@ void tinker_diagram_draw(cairo_t *cairo, double width, double height, void *data
     drawing.numbered = first < NARROW_PART;
     drawing.brief = first < LEAST_PART;
     const double list = diagram_list_height(&drawing, width) + DIAGRAM_EDGE, bottom = fmax(height - list, height / 2);
-    drawing.lesser = fmin(bottom - top, both ? width - middle - aside : width);
+    drawing.lesser = fmin(bottom - top, WIDE_ARROWS * (both ? width - middle - aside : width));
     const char *free_body = _("Free-body diagram"), *kinetic = _("Kinetic diagram");
     if (both && diagram_text_width(&drawing, kinetic, TRUE) > width - middle - aside) {
         free_body = _("Forces");

@@ -60,7 +60,8 @@ static gboolean is_crossed(const DiagramPart *part, const double box[4])
         for (int k = 0; k <= ARROW_PIECES; k++) {
             const double share = (double)k / ARROW_PIECES;
             double x, y;
-            tinker_view_to_canvas(part->view, arrow->x + share * arrow->fx, arrow->y + share * arrow->fy, &x, &y);
+            tinker_view_to_canvas(part->view, diagram_arrow_start(arrow, 0) + share * arrow->fx,
+                                  diagram_arrow_start(arrow, 1) + share * arrow->fy, &x, &y);
             if (x > box[0] && x < box[2] && y > box[1] && y < box[3]) return TRUE;
         }
     }

@@ -5,8 +5,7 @@
 #include "common/diagram/diagram-picture-private.h"
 #include "common/diagram/diagram-scale.h"
 
-#define NOTHING   1e-12 /* forces below this share of the greatest are 0 */
-#define NO_RESULT 1e-9  /* a resultant below this share of the forces is 0 */
+#define NO_RESULT 1e-9 /* a resultant below this share of the forces is 0 */
 
 double diagram_strength(const double force[2])
 {
@@ -52,7 +51,8 @@ void diagram_begin(DiagramDrawing *drawing, const TinkerDiagramPicture *picture,
     drawing->forces = g_array_new(FALSE, FALSE, sizeof(TinkerDiagramForce));
     drawing->torques = g_array_new(FALSE, FALSE, sizeof(TinkerDiagramForce));
     const TinkerDiagram *diagram = picture->diagram;
-    const double least = NOTHING * diagram_greatest_force(diagram), still = share_of_moments(diagram, NOTHING);
+    const double least = TINKER_FORCE_NOTHING * diagram_greatest_force(diagram),
+                 still = share_of_moments(diagram, TINKER_FORCE_NOTHING);
     g_autoptr(GArray) sizes = g_array_new(FALSE, FALSE, sizeof(double));
     for (guint i = 0; i < diagram->forces->len; i++) {
         const TinkerDiagramForce *force = &g_array_index(diagram->forces, TinkerDiagramForce, i);

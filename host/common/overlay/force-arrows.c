@@ -11,8 +11,12 @@
 /* No unit; of the longer side of a picture: what is longer is no arrow to compare with others. */
 #define LONGEST_SHARE 0.5
 
-#define SMALL       48.0 /* canvas units: a body that a label would hide, or most of it */
-#define MOST_BLOCKS 1000 /* of a scene, before labels hide bodies, since looking for these would take long */
+#define INWARD 0.3  /* cosine of the angle between what pushes and the way to the centre */
+#define SMALL  48.0 /* canvas units: a body that a label would hide, or most of it */
+#define MOST_CLEAR                                                                                                     \
+    12 /* arrows: of more, labels are not looked farther off for a place where they cover nothing, which */
+#define CLEAR_REACH 120.0 /* canvas units: takes its time; and how far */
+#define MOST_BLOCKS 1000  /* of a scene, before labels hide bodies, since looking for these would take long */
 
 double tinker_force_arrows_greatest(const GArray *acting)
 {
@@ -75,6 +79,15 @@ const char *tinker_force_arrow_word(TinkerArrowKind kind)
     return _(kinds[i].word);
 }
 
+gboolean tinker_force_arrow_pushes(const TinkerFrame *frame, TinkerBlockId on, const double point[2],
+                                   const double force[2])
+{
+    double x, y, orientation;
+    tinker_frame_centre(frame, on, &x, &y, &orientation);
+    const double inward = force[0] * (x - point[0]) + force[1] * (y - point[1]);
+    return inward > INWARD * hypot(force[0], force[1]) * hypot(x - point[0], y - point[1]);
+}
+
 static char *label_of(TinkerScene *scene, const TinkerActingForce *force)
 {
     static const TinkerDimension dimension = TINKER_DIMENSION_FORCE;
@@ -106,12 +119,25 @@ static gboolean key_length(const Scale *scale, const TinkerView *view, TinkerUni
     return TRUE;
 }
 
+static gboolean is_shown(const TinkerForceArrow *arrow)
+{
+    return hypot(arrow->fx, arrow->fy) > 0;
+}
+
+static guint count_shown(const GArray *arrows)
+{
+    guint count = 0;
+    for (guint i = 0; i < arrows->len; i++)
+        count += is_shown(&g_array_index(arrows, TinkerForceArrow, i));
+    return count;
+}
+
 static gboolean has_kind(const GArray *arrows, TinkerArrowKind kind)
 {
     gboolean found = FALSE;
     for (guint i = 0; i < arrows->len && !found; i++) {
         const TinkerForceArrow *arrow = &g_array_index(arrows, TinkerForceArrow, i);
-        found = arrow->kind == kind && hypot(arrow->fx, arrow->fy) > 0;
+        found = arrow->kind == kind && is_shown(arrow);
     }
     return found;
 }
@@ -151,7 +177,8 @@ static void key_init(Key *key, const TinkerForceArrows *forces, const TinkerView
     key->key = (TinkerArrowKey){key->lengths, lengths, forces->marks, key->words, words};
 }
 
-static void take_small_bodies(const TinkerForceArrows *forces, const TinkerView *view, GArray *taken)
+/* Labels cover no small body, and others where there is no other way. */
+static void take_bodies(const TinkerForceArrows *forces, const TinkerView *view, GArray *taken, GArray *drawn)
 {
     const int32_t count = forces->frame != NULL ? tinker_scene_block_count(forces->scene) : 0;
     for (int32_t i = 0; i < count && count <= MOST_BLOCKS; i++) {
@@ -161,19 +188,20 @@ static void take_small_bodies(const TinkerForceArrows *forces, const TinkerView 
             continue;
         tinker_view_to_canvas(view, world[0], world[3], &box[0], &box[1]);
         tinker_view_to_canvas(view, world[2], world[1], &box[2], &box[3]);
-        if (fmax(box[2] - box[0], box[3] - box[1]) < SMALL) g_array_append_vals(taken, box, 1);
+        g_array_append_vals(fmax(box[2] - box[0], box[3] - box[1]) < SMALL ? taken : drawn, box, 1);
     }
 }
 
-/* Boxes that labels keep clear of: of texts, of small bodies, and of the key. Of double[4]. (transfer full) */
+/* Boxes that labels keep clear of: of texts, of small bodies, and of the key; of other bodies into `drawn`. Of
+ * double[4]. (transfer full) */
 static GArray *taken_boxes(const TinkerForceArrows *forces, const Key *key, const TinkerView *view,
-                           const TinkerTheme *theme)
+                           const TinkerTheme *theme, GArray *drawn)
 {
     GArray *taken = g_array_new(FALSE, FALSE, 4 * sizeof(double));
     double box[4];
     for (guint i = 0; forces->texts != NULL && i < forces->texts->len; i++)
         g_array_append_vals(taken, ((const TinkerWrittenText *)g_ptr_array_index(forces->texts, i))->box, 1);
-    take_small_bodies(forces, view, taken);
+    take_bodies(forces, view, taken, drawn);
     if (tinker_arrows_key_box(view, theme, &key->key, box)) g_array_append_vals(taken, box, 1);
     return taken;
 }
@@ -216,7 +244,10 @@ static void add_forces(const TinkerForceArrows *forces, GArray *arrows, GPtrArra
                                   .fy = forces->pixels * force->fy,
                                   .label = label,
                                   .kind = kinds[kind_of(force->kind)].arrow};
-        if (some_lit && !is_lit(forces, force)) arrow.look = TINKER_ARROW_FADED;
+        const double point[] = {force->x, force->y}, load[] = {force->fx, force->fy};
+        if (forces->frame != NULL && tinker_force_arrow_pushes(forces->frame, force->on, point, load))
+            arrow.look |= TINKER_ARROW_PUSHES;
+        if (some_lit && !is_lit(forces, force)) arrow.look |= TINKER_ARROW_FADED;
         const TinkerPointed thing = pointed_of(force);
         g_array_append_val(arrows, arrow);
         g_array_append_val(things, thing);
@@ -272,11 +303,16 @@ void tinker_force_arrows_draw(const TinkerForceArrows *forces, cairo_t *cairo, c
     add_vectors(forces, arrows, labels, things);
     Key key;
     key_init(&key, forces, view, arrows, theme);
-    g_autoptr(GArray) taken = taken_boxes(forces, &key, view, theme);
+    g_autoptr(GArray) drawn = g_array_new(FALSE, FALSE, 4 * sizeof(double));
+    g_autoptr(GArray) taken = taken_boxes(forces, &key, view, theme, drawn);
     const TinkerArrowOptions options = {.theme = theme,
                                         .scale = 1 / view->scale,
                                         .taken = (const double(*)[4])(gpointer)taken->data,
                                         .taken_count = (int)taken->len,
+                                        .drawn = (const double(*)[4])(gpointer)drawn->data,
+                                        .drawn_count = (int)drawn->len,
+                                        .roomy = count_shown(arrows) <= MOST_CLEAR,
+                                        .reach = CLEAR_REACH,
                                         .places = forces->spots != NULL ? places : NULL};
     tinker_arrows_draw(cairo, view, (const TinkerForceArrow *)(gpointer)arrows->data, arrows->len, &options);
     add_spots(forces, arrows, things, places);

@@ -31,6 +31,11 @@ typedef struct {
 /* What a kind of arrow is called, in a word. */
 const char *tinker_force_arrow_word(TinkerArrowKind kind);
 
+/* Whether a force pushes on the body that it acts on: its arrow ends where it acts, and stands outside of the body. Of
+ * a frame where bodies are. */
+gboolean tinker_force_arrow_pushes(const TinkerFrame *frame, TinkerBlockId on, const double point[2],
+                                   const double force[2]);
+
 /* Whether one of them is not 0. */
 gboolean tinker_force_arrows_any(const GArray *acting);
 

@@ -163,7 +163,7 @@ void tinker_energy_data_fill_plot(TinkerEnergyData *data, TinkerPlot *plot)
                                             .colour = k};
         count++;
     }
-    data->curves[count] = (TinkerCurve){.label = _("At the start and given since"),
+    data->curves[count] = (TinkerCurve){.label = _("Start + supplied since"),
                                         .x = numbers(data->times[0]),
                                         .y = numbers(data->sum),
                                         .count = data->count,

@@ -58,6 +58,38 @@ void tinker_equation_list_add(GtkWidget *box, TinkerDocument *document, const Ti
     if (has_comment) tinker_equation_list_add_text(box, shown->comment, "caption");
 }
 
+static gboolean is_seen(GtkWidget *child)
+{
+    GtkWidget *page = gtk_widget_get_ancestor(child, GTK_TYPE_SCROLLED_WINDOW);
+    graphene_rect_t box;
+    if (page == NULL || !gtk_widget_compute_bounds(child, page, &box)) return TRUE;
+    return box.origin.y + box.size.height >= 0 && box.origin.y <= (float)gtk_widget_get_height(page);
+}
+
+static void set_text(GtkWidget *label, const char *text)
+{
+    if (strcmp(gtk_label_get_text(GTK_LABEL(label)), text) != 0) gtk_label_set_text(GTK_LABEL(label), text);
+}
+
+void tinker_equation_list_update(GtkWidget *box, const GPtrArray *lines, guint first, guint end)
+{
+    GtkWidget *child = gtk_widget_get_first_child(box);
+    for (guint i = first; i < end && child != NULL; i++, child = gtk_widget_get_next_sibling(child)) {
+        const TinkerEquationLine *line = g_ptr_array_index(lines, i);
+        const gboolean has_comment = line->comment != NULL && line->component < 0 && line->heading == NULL;
+        if (line->heading != NULL) {
+            if (is_seen(child)) set_text(child, line->heading);
+        } else if (line->matrix == NULL && !is_value(line)) {
+            if (has_comment) child = gtk_widget_get_next_sibling(child); // it stands below
+        } else if (line->matrix == NULL && is_seen(child)) {
+            GtkWidget *row = has_comment ? gtk_widget_get_first_child(child) : child;
+            if (!TINKER_IS_EQUATION_ROW(row)) continue;
+            tinker_equation_row_update(TINKER_EQUATION_ROW(row), line);
+            if (has_comment) set_text(gtk_widget_get_next_sibling(row), line->comment);
+        }
+    }
+}
+
 void tinker_equation_list_show_values(GtkWidget *box, const TinkerModelState *state, TinkerUnitSystem units,
                                       gboolean tell)
 {

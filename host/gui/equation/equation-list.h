@@ -27,4 +27,8 @@ char *tinker_equation_lines_written(const GPtrArray *lines);
 void tinker_equation_list_show_line_values(GtkWidget *box, const GPtrArray *lines, TinkerUnitSystem units,
                                            gboolean tell);
 
+/* Values and headings of the lines from number `first` to before `end`, which `box` was filled with, become what these
+ * lines have now, as far as they are seen on the page: what is not seen stays as it is. */
+void tinker_equation_list_update(GtkWidget *box, const GPtrArray *lines, guint first, guint end);
+
 #endif

@@ -42,6 +42,15 @@ static void draw_brackets(GtkDrawingArea *area, cairo_t *cairo, int width, int h
 
 /* Values ----------------------------------------------------------------------------------------------------------- */
 
+/* The last of the terms behind number `from` that have one value with it; NULL: there are none. */
+static GtkWidget *last_of(GtkWidget *child, const GArray *terms, guint from)
+{
+    GtkWidget *last = NULL;
+    for (guint i = from + 1; i < terms->len && g_array_index(terms, TinkerLineTerm, i).follows; i++)
+        last = child = gtk_widget_get_next_sibling(child);
+    return last;
+}
+
 void tinker_equation_terms_show_values(GtkWidget *first, const GArray *terms, TinkerUnitSystem units, gboolean tell)
 {
     GtkWidget *child = first;
@@ -49,10 +58,10 @@ void tinker_equation_terms_show_values(GtkWidget *first, const GArray *terms, Ti
         const TinkerLineTerm *term = terms != NULL && i < terms->len ? &g_array_index(terms, TinkerLineTerm, i) : NULL;
         const gboolean shows = term != NULL && term->has_value && isfinite(term->value);
         g_autofree char *size = shows ? tinker_quantity_brief(fabs(term->value), term->dimension, units) : NULL;
-        const gboolean is_sum = shows && i + 1 < terms->len && !g_array_index(terms, TinkerLineTerm, i + 1).has_value;
-        g_autofree char *text = shows ? g_strconcat(is_sum ? "Σ " : "", term->value < 0 ? "−" : "", size, NULL) : NULL;
-        tinker_equation_term_show_value(TINKER_EQUATION_TERM(child), shows);
-        tinker_equation_term_set_value(TINKER_EQUATION_TERM(child), text, tell);
+        g_autofree char *text = shows ? g_strconcat(term->value < 0 ? "−" : "", size, NULL) : NULL;
+        tinker_equation_term_show_value(TINKER_EQUATION_TERM(child), shows || (term != NULL && term->follows));
+        tinker_equation_term_set_value(TINKER_EQUATION_TERM(child), text, shows ? last_of(child, terms, i) : NULL,
+                                       tell);
     }
 }
 
@@ -112,6 +121,18 @@ static GtkWidget *new_entries(TinkerEquationMatrix *matrix, TinkerDocument *docu
     return overlay;
 }
 
+/* A wheel over it scrolls the page: what only goes sideways leaves the rest of it to what is around. */
+static void scroll_sideways_alone(GtkWidget *scrolled)
+{
+    g_autoptr(GListModel) controllers = gtk_widget_observe_controllers(scrolled);
+    for (guint i = 0; i < g_list_model_get_n_items(controllers); i++) {
+        g_autoptr(GObject) controller = g_list_model_get_item(controllers, i);
+        if (GTK_IS_EVENT_CONTROLLER_SCROLL(controller))
+            gtk_event_controller_scroll_set_flags(GTK_EVENT_CONTROLLER_SCROLL(controller),
+                                                  GTK_EVENT_CONTROLLER_SCROLL_HORIZONTAL);
+    }
+}
+
 GtkWidget *tinker_equation_matrix_new(TinkerDocument *document, const TinkerEquationLine *shown,
                                       const TinkerEquationLine *spoken)
 {
@@ -126,6 +147,7 @@ GtkWidget *tinker_equation_matrix_new(TinkerDocument *document, const TinkerEqua
     gtk_widget_set_parent(matrix->left, GTK_WIDGET(matrix));
     gtk_scrolled_window_set_policy(GTK_SCROLLED_WINDOW(scrolled), GTK_POLICY_AUTOMATIC, GTK_POLICY_NEVER);
     gtk_scrolled_window_set_propagate_natural_height(GTK_SCROLLED_WINDOW(scrolled), TRUE);
+    scroll_sideways_alone(scrolled);
     gtk_scrolled_window_set_child(GTK_SCROLLED_WINDOW(scrolled), new_entries(matrix, document, shown, spoken));
     gtk_widget_set_hexpand(scrolled, TRUE);
     gtk_widget_set_parent(scrolled, GTK_WIDGET(matrix));

@@ -13,11 +13,11 @@ G_DECLARE_FINAL_TYPE(TinkerEquationMatrix, tinker_equation_matrix, TINKER, EQUAT
 GtkWidget *tinker_equation_matrix_new(TinkerDocument *document, const TinkerEquationLine *shown,
                                       const TinkerEquationLine *spoken);
 
-/* The value of each entry, beneath its first term; `line` has the same terms; NULL: none are shown. */
+/* The value of each entry, beneath all of its terms; `line` has the same terms; NULL: none are shown. */
 void tinker_equation_matrix_show_values(TinkerEquationMatrix *matrix, const TinkerEquationLine *line,
                                         TinkerUnitSystem units, gboolean tell);
 
-/* Terms in a list of them, beneath which their values are shown, or not; beneath the first of several their sum. */
+/* Terms in a list of them, beneath which their values are shown, or not; beneath several that make up one their sum. */
 void tinker_equation_terms_show_values(GtkWidget *first, const GArray *terms, TinkerUnitSystem units, gboolean tell);
 
 #endif

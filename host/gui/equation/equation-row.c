@@ -66,6 +66,23 @@ static double line_start(GtkWidget *begin, double indent, double width)
     return fmin(indent, fmax(INDENT, width - size[0]));
 }
 
+/* How wide a child is with those that share its value, which stay in one line where they have room in one. */
+static double width_together(GtkWidget *child, double room)
+{
+    GtkWidget *last = tinker_equation_term_last(TINKER_EQUATION_TERM(child));
+    int size[2];
+    size_of(child, size);
+    double width = size[0];
+    for (GtkWidget *at = child; last != NULL && at != last;) {
+        at = gtk_widget_get_next_sibling(at);
+        if (at == NULL) break;
+        size_of(at, size);
+        width += TERM_GAP + size[0];
+    }
+    size_of(child, size);
+    return width <= room ? width : size[0];
+}
+
 /* Lays out within a width and answers the height; `place`: and gives the children their places. One that is wider than
  * a line of its own becomes smaller. */
 static double lay_out(GtkWidget *row, double width, gboolean place)
@@ -84,8 +101,7 @@ static double lay_out(GtkWidget *row, double width, gboolean place)
             size_of(end, size);
             x += size[0] + TERM_GAP;
             end = gtk_widget_get_next_sibling(end);
-            if (end != NULL) size_of(end, size);
-        } while (end != NULL && x + size[0] <= width);
+        } while (end != NULL && x + width_together(end, width - indent) <= width);
         line_reach(begin, end, reach);
         x = start;
         for (GtkWidget *child = begin; child != end && place; child = gtk_widget_get_next_sibling(child)) {
@@ -128,6 +144,10 @@ static void tinker_equation_row_measure(GtkWidget *widget, GtkOrientation orient
 static void tinker_equation_row_size_allocate(GtkWidget *widget, int width, int height, int baseline)
 {
     lay_out(widget, width, TRUE);
+    /* a value is drawn over the width of several terms, which may have moved beside the first */
+    for (GtkWidget *child = gtk_widget_get_first_child(widget); child != NULL;
+         child = gtk_widget_get_next_sibling(child))
+        if (tinker_equation_term_last(TINKER_EQUATION_TERM(child)) != NULL) gtk_widget_queue_draw(child);
 }
 
 /* Values ----------------------------------------------------------------------------------------------------------- */
@@ -171,19 +191,32 @@ static double sum_of(const TinkerEquationRow *row, const Term *term, const Tinke
         const double parts[] = {force->fx, force->fy, tinker_model_state_moment(state, force)};
         sum += parts[row->component];
     }
-    return sum;
+    return fabs(sum) > tinker_model_state_nothing(state, row->body, row->component == 2) ? sum : 0;
 }
 
-/* What stands beneath a term: nothing but beneath the first of those that share their force, with a sum sign where
- * there are more. (transfer full) */
-static char *value_of(const TinkerEquationRow *row, guint number, const TinkerModelState *state, TinkerUnitSystem units)
+/* The last of the terms that share the force of the first one, where they stand beside one another; NULL: it has none,
+ * or they do not. */
+static TinkerEquationTerm *last_sharing(const TinkerEquationRow *row, guint first, guint count)
+{
+    for (guint i = first + 1; i < first + count; i++)
+        if (i >= row->terms->len ||
+            !shares_force(&g_array_index(row->terms, Term, first), &g_array_index(row->terms, Term, i)))
+            return NULL;
+    return count > 1 ? g_array_index(row->terms, Term, first + count - 1).term : NULL;
+}
+
+/* What stands beneath a term: nothing but beneath the first of those that share their force; with a sum sign where
+ * these do not stand beside one another. (transfer full) */
+static char *value_of(const TinkerEquationRow *row, guint number, const TinkerModelState *state, TinkerUnitSystem units,
+                      TinkerEquationTerm **last)
 {
     guint before;
     const guint count = count_sharing(row, number, &before);
     if (before > 0) return NULL;
+    *last = last_sharing(row, number, count);
     const double sum = sum_of(row, &g_array_index(row->terms, Term, number), state);
     g_autofree char *text = tinker_load_brief(sum, row->component == 2, units);
-    return g_strconcat(count > 1 ? "Σ " : "", text, NULL);
+    return g_strconcat(count > 1 && *last == NULL ? "Σ " : "", text, NULL);
 }
 
 void tinker_equation_row_show_values(TinkerEquationRow *row, const TinkerModelState *state, TinkerUnitSystem units,
@@ -192,9 +225,10 @@ void tinker_equation_row_show_values(TinkerEquationRow *row, const TinkerModelSt
     const gboolean shows = state != NULL && row->component >= 0;
     for (guint i = 0; i < row->terms->len; i++) {
         const Term *term = &g_array_index(row->terms, Term, i);
-        g_autofree char *value = shows ? value_of(row, i, state, units) : NULL;
+        TinkerEquationTerm *last = NULL;
+        g_autofree char *value = shows ? value_of(row, i, state, units, &last) : NULL;
         tinker_equation_term_show_value(term->term, shows);
-        tinker_equation_term_set_value(term->term, value, tell);
+        tinker_equation_term_set_value(term->term, value, (GtkWidget *)last, tell);
     }
 }
 
@@ -213,6 +247,12 @@ void tinker_equation_row_show_line_values(TinkerEquationRow *row, const TinkerEq
         g_array_append_vals(all, line->terms->data, line->terms->len);
     }
     tinker_equation_terms_show_values(gtk_widget_get_first_child(GTK_WIDGET(row)), all, units, tell);
+}
+
+void tinker_equation_row_update(TinkerEquationRow *row, const TinkerEquationLine *line)
+{
+    GtkWidget *right = gtk_widget_get_last_child(GTK_WIDGET(row));
+    tinker_equation_term_set_formula(TINKER_EQUATION_TERM(right), g_array_index(line->terms, TinkerLineTerm, 0).text);
 }
 
 /* Life ------------------------------------------------------------------------------------------------------------- */

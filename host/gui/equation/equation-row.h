@@ -26,4 +26,7 @@ gboolean tinker_equation_row_is_balance(TinkerEquationRow *row);
 void tinker_equation_row_show_line_values(TinkerEquationRow *row, const TinkerEquationLine *line,
                                           TinkerUnitSystem units, gboolean tell);
 
+/* Of a row that is a value, "m = 2 kg": the one that a line has now, which is not read out. */
+void tinker_equation_row_update(TinkerEquationRow *row, const TinkerEquationLine *line);
+
 #endif

@@ -1,5 +1,6 @@
-/* All of the page is of one moment, that of the task's result, which stands at the top: only the list of values below
- * and books that take long stay where they were while it plays, and tell their own. */
+/* All of the page is of one moment, that of the task's result, which stands at the top: only books that take long stay
+ * where they were while it plays, and tell their own. Of what is not seen values wait until it is, or until it stops.
+ */
 #include "gui/equation/equations-page.h"
 
 #include <glib/gi18n.h>
@@ -14,6 +15,10 @@
 
 #define MOST_BODIES 30 /* whose equations are shown where none are selected */
 
+#define VALUES_TIP                                                                                                     \
+    N_("The force of each term now, beneath it: of terms over one bracket, or of all of a block that stand apart "     \
+       "(Σ), their sum")
+
 enum { NEWTON, MATRIX, ANGLES };
 
 struct _TinkerEquationsPage {
@@ -24,7 +29,9 @@ struct _TinkerEquationsPage {
     TinkerEquationFill *fill;
     GtkWidget *rows, *rest; /* what bodies do, and what the symbols stand for */
     char *written;          /* the equations in the rows, as one text; NULL: there are none */
-    gboolean is_behind;     /* the rest is of an earlier result */
+    gboolean is_behind;     /* what is not seen is of an earlier result, and what is read out */
+    gboolean is_chosen;     /* the form, in this scene */
+    gboolean is_leaving;    /* the form, which has no equations */
     char *why_newton;       /* in place of another form; NULL: they were asked for */
     GtkWidget *forms, *values, *moment, *hint, *diagram_heading, *diagram, *books_heading, *books;
 };
@@ -110,7 +117,8 @@ static gboolean on_filled(gpointer page)
     return G_SOURCE_REMOVE;
 }
 
-/* Rows are made anew where the equations have become others, and what stands below them unless it plays. */
+/* Rows are made anew where the equations have become others, and what stands below them; while it plays values alone
+ * become others. */
 static void show_rows(TinkerEquationsPage *page, const TinkerModelResult *result)
 {
     g_autoptr(GPtrArray) shown = lines_of(page, result, TINKER_TYPESET_MATHML);
@@ -118,9 +126,13 @@ static void show_rows(TinkerEquationsPage *page, const TinkerModelResult *result
     const gboolean same = page->why_newton == NULL && g_strcmp0(written, page->written) == 0 &&
                           !tinker_equation_fill_is_going(page->fill);
     page->is_behind = same && is_playing(page);
-    if (page->is_behind) return;
-    g_autoptr(GPtrArray) spoken = lines_of(page, result, TINKER_TYPESET_SPEECH);
     guint row_count = count_rows(page, shown);
+    if (page->is_behind) {
+        tinker_equation_list_update(page->rows, shown, 0, row_count);
+        tinker_equation_list_update(page->rest, shown, row_count, shown->len);
+        return;
+    }
+    g_autoptr(GPtrArray) spoken = lines_of(page, result, TINKER_TYPESET_SPEECH);
     if (same) {
         g_ptr_array_remove_range(shown, 0, row_count);
         g_ptr_array_remove_range(spoken, 0, row_count);
@@ -146,8 +158,8 @@ static gboolean has_chosen_form(TinkerEquationsPage *page, const TinkerModelResu
     return form != ANGLES || result->angles->trees->len > 0;
 }
 
-/* Newton's equations are always there: back to them, with the reason why those that were chosen are not. FALSE where
- * that is not needed; else all is shown by now. */
+/* Newton's equations are always there: back to them, with the reason why those that were chosen in this scene are not.
+ * FALSE where that is not needed; else all is shown by now. */
 static gboolean leave_form_without_equations(TinkerEquationsPage *page, const TinkerModelResult *result)
 {
     if (result == NULL || result->equations == NULL || has_chosen_form(page, result)) return FALSE;
@@ -156,11 +168,14 @@ static gboolean leave_form_without_equations(TinkerEquationsPage *page, const Ti
         matrix && result->matrix == NULL ? g_ptr_array_new() : lines_of(page, result, TINKER_TYPESET_TEXT);
     const TinkerEquationLine *first = reasons->len > 0 ? g_ptr_array_index(reasons, 0) : NULL;
     g_free(page->why_newton);
-    page->why_newton =
-        g_strdup_printf(_("%s. These are Newton's."), first != NULL && first->heading != NULL ? first->heading
-                                                      : matrix ? _("There are no equations in matrices")
-                                                               : _("There are no equations in angles"));
+    page->why_newton = !page->is_chosen ? NULL
+                                        : g_strdup_printf(_("%s. These are Newton's."),
+                                                          first != NULL && first->heading != NULL ? first->heading
+                                                          : matrix ? _("There are no equations in matrices")
+                                                                   : _("There are no equations in angles"));
+    page->is_leaving = TRUE;
     gtk_drop_down_set_selected(GTK_DROP_DOWN(page->forms), NEWTON);
+    page->is_leaving = FALSE;
     return TRUE;
 }
 
@@ -207,6 +222,24 @@ static void on_task_changed(TinkerEquationsPage *page)
         tinker_equation_list_add_text(page->rows, text, "dim-label");
     }
     show_pictures(page, result);
+}
+
+static void on_form_chosen(TinkerEquationsPage *page)
+{
+    const gboolean has_values = form_of(page) != ANGLES;
+    page->is_chosen = !page->is_leaving;
+    gtk_widget_set_sensitive(page->values, has_values);
+    gtk_widget_set_tooltip_text(page->values,
+                                has_values ? _(VALUES_TIP)
+                                           : _("Terms in angles are not told one by one; the values of their symbols "
+                                               "stand below"));
+    on_task_changed(page);
+}
+
+/* The form stays where the next scene has it. */
+static void on_replaced(TinkerEquationsPage *page)
+{
+    page->is_chosen = FALSE;
 }
 
 /* Copying ---------------------------------------------------------------------------------------------------------- */
@@ -280,7 +313,7 @@ static void add_tools(TinkerEquationsPage *page)
     page->values = gtk_check_button_new_with_label(_("Values"));
     gtk_accessible_update_property(GTK_ACCESSIBLE(page->forms), GTK_ACCESSIBLE_PROPERTY_LABEL, _("Form of Equations"),
                                    -1);
-    gtk_widget_set_tooltip_text(page->values, _("The force of each term now, beneath it"));
+    gtk_widget_set_tooltip_text(page->values, _(VALUES_TIP));
     page->moment = tinker_equation_label(NULL, "dim-label");
     gtk_widget_set_hexpand(page->moment, TRUE);
     gtk_widget_set_tooltip_text(page->moment, _("The moment that this page is of"));
@@ -289,7 +322,7 @@ static void add_tools(TinkerEquationsPage *page)
     gtk_box_append(GTK_BOX(tools), page->moment);
     gtk_box_append(GTK_BOX(tools), copy);
     gtk_widget_set_parent(tools, GTK_WIDGET(page));
-    g_signal_connect_swapped(page->forms, "notify::selected", G_CALLBACK(on_task_changed), page);
+    g_signal_connect_swapped(page->forms, "notify::selected", G_CALLBACK(on_form_chosen), page);
     g_signal_connect_swapped(page->values, "toggled", G_CALLBACK(update_values), page);
 }
 
@@ -328,6 +361,7 @@ GtkWidget *tinker_equations_page_new(TinkerDocument *document, TinkerPlayer *pla
     page->fill = tinker_equation_fill_new(document, on_filled, page);
     add_results(page);
     g_signal_connect_object(page->task, "changed", G_CALLBACK(on_task_changed), page, G_CONNECT_SWAPPED);
+    g_signal_connect_object(document, "replaced", G_CALLBACK(on_replaced), page, G_CONNECT_SWAPPED);
     g_signal_connect_object(player, "state-changed", G_CALLBACK(on_state_changed), page, G_CONNECT_SWAPPED);
     return GTK_WIDGET(page);
 }

@@ -42,7 +42,8 @@ static void show_text(TinkerInstrumentView *view, double si)
     tell(view, text);
 }
 
-/* The second number that went along, and what it was, as "Static Friction goes along: 0.5 (was 0.3)"; or NULL. */
+/* The second number that went along, why, and what it was, as "Static Friction is never less, and goes along: 0.5 (was
+ * 0.3)"; or NULL. */
 static char *carried_text(TinkerInstrumentView *view)
 {
     TinkerScene *scene = tinker_document_scene(view->document);
@@ -52,7 +53,9 @@ static char *carried_text(TinkerInstrumentView *view)
     const TinkerPropertyType *type = &tinker_scene_block_class(scene, block)->properties[carried.property];
     g_autofree char *now = tinker_number_short(carried.now, view->unit, DIGITS),
                     *before = tinker_number_short(carried.before, view->unit, DIGITS);
-    return g_strdup_printf(_("%s goes along: %s (was %s)"), tinker_translate(type->title), now, before);
+    return g_strdup_printf(carried.now > carried.before ? _("%s is never less, and goes along: %s (was %s)")
+                                                        : _("%s is never more, and goes along: %s (was %s)"),
+                           tinker_translate(type->title), now, before);
 }
 
 void instrument_view_show_note(TinkerInstrumentView *view)

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "common/overlay/mode-shape.h"
+#include "common/words/mode-words.h"
 #include "gui/text/sentence.h"
 #include "gui/widget/desktop-theme.h"
 #include "gui/widget/unparent.h"
@@ -19,6 +20,7 @@
 struct _TinkerModesPage {
     GtkWidget parent_instance;
     TinkerDocument *document;
+    TinkerPlayer *player;
     TinkerCanvas *canvas; /* borrowed; weak */
     TinkerModesTask *task;
     GtkWidget *note, *list, *driven, *curve;
@@ -27,6 +29,7 @@ struct _TinkerModesPage {
     double amplitude;       /* m */
     gint64 began;           /* us */
     guint tick;             /* 0: it does not swing */
+    gboolean was_selected;  /* the row that is being clicked */
 };
 
 G_DEFINE_FINAL_TYPE(TinkerModesPage, tinker_modes_page, GTK_TYPE_WIDGET)
@@ -70,6 +73,7 @@ static void swing(TinkerModesPage *page, guint number)
     stop_swing(page);
     if (result == NULL || result->analysis == NULL || page->canvas == NULL) return;
     if (number >= result->analysis->modes->len) return;
+    if (tinker_player_state(page->player) == TINKER_PLAYER_PLAYING) tinker_player_pause(page->player);
     page->frame = tinker_frame_new(result->scene, NULL);
     if (page->frame == NULL) return;
     page->mode = g_ptr_array_index(result->analysis->modes, number);
@@ -91,6 +95,44 @@ static void on_row_selected(TinkerModesPage *page, GtkListBoxRow *row)
         swing(page, (guint)gtk_list_box_row_get_index(row));
 }
 
+static void select_none(TinkerModesPage *page)
+{
+    gtk_list_box_unselect_all(GTK_LIST_BOX(page->list));
+}
+
+/* On the mode that swings already; not by the second press of a double click. */
+static void on_list_pressed(GtkGestureClick *click, int presses, G_GNUC_UNUSED double x, double y,
+                            TinkerModesPage *page)
+{
+    GtkListBoxRow *row = gtk_list_box_get_row_at_y(GTK_LIST_BOX(page->list), (int)y);
+    page->was_selected = row != NULL && gtk_list_box_row_is_selected(row);
+    if (!page->was_selected || presses > 1) return;
+    gtk_gesture_set_state(GTK_GESTURE(click), GTK_EVENT_SEQUENCE_CLAIMED); // else the list selects it again
+    select_none(page);
+}
+
+/* By Return, and behind a click, which has selected the row just now. */
+static void on_row_activated(TinkerModesPage *page)
+{
+    if (page->was_selected) select_none(page);
+    page->was_selected = TRUE;
+}
+
+static gboolean on_list_key(G_GNUC_UNUSED GtkEventControllerKey *keys, guint key, G_GNUC_UNUSED guint code,
+                            G_GNUC_UNUSED GdkModifierType modifiers, TinkerModesPage *page)
+{
+    if (key != GDK_KEY_Escape || gtk_list_box_get_selected_row(GTK_LIST_BOX(page->list)) == NULL)
+        return GDK_EVENT_PROPAGATE;
+    select_none(page);
+    return GDK_EVENT_STOP;
+}
+
+/* The run is seen as it is. */
+static void on_player_state(TinkerModesPage *page)
+{
+    if (tinker_player_state(page->player) == TINKER_PLAYER_PLAYING) select_none(page);
+}
+
 /* The caption with lines that end behind commas and the like, and not within "T = 1.257 s". (transfer full) */
 static char *unbroken(const char *caption)
 {
@@ -106,13 +148,17 @@ static char *unbroken(const char *caption)
 
 static void add_row(TinkerModesPage *page, const TinkerModeAnalysis *analysis, guint number)
 {
-    g_autofree char *caption = tinker_mode_caption(analysis, g_ptr_array_index(analysis->modes, number), number + 1);
+    const TinkerMode *mode = g_ptr_array_index(analysis->modes, number);
+    g_autofree char *caption = tinker_mode_caption(analysis, mode, mode->number);
     g_autofree char *text = unbroken(caption);
-    GtkWidget *label = gtk_label_new(text), *row = gtk_list_box_row_new();
+    g_autofree char *ratio = tinker_mode_ratio(analysis, mode, tinker_modes_task_result(page->task)->scene);
+    g_autofree char *told = ratio != NULL ? g_strdup_printf("%s\n%s", caption, ratio) : g_strdup(caption);
+    g_autofree char *shown = ratio != NULL ? g_strdup_printf("%s\n%s", text, ratio) : g_strdup(text);
+    GtkWidget *label = gtk_label_new(shown), *row = gtk_list_box_row_new();
     gtk_label_set_xalign(GTK_LABEL(label), 0);
     gtk_label_set_wrap(GTK_LABEL(label), TRUE);
     gtk_list_box_row_set_child(GTK_LIST_BOX_ROW(row), label);
-    gtk_accessible_update_property(GTK_ACCESSIBLE(row), GTK_ACCESSIBLE_PROPERTY_LABEL, caption, -1);
+    gtk_accessible_update_property(GTK_ACCESSIBLE(row), GTK_ACCESSIBLE_PROPERTY_LABEL, told, -1);
     gtk_list_box_append(GTK_LIST_BOX(page->list), row);
 }
 
@@ -171,11 +217,11 @@ static char *note_of(TinkerModesPage *page, const TinkerModesResult *result)
     TinkerScene *scene = tinker_document_scene(page->document);
     if (result->analysis == NULL)
         return result->error != NULL ? tinker_sentence_in(scene, result->error->message) : NULL;
-    if (result->analysis->modes->len == 0)
-        return g_strdup(_("Nothing in this scene moves of itself: it has no degree of freedom."));
+    if (result->analysis->modes->len == 0) return tinker_modes_none(result->analysis, result->scene);
     if (!result->analysis->about_rest)
         return g_strdup(_("The scene has no rest that it comes to: these are the modes about its start, held still."));
-    return g_strdup(_("Small motions about the rest of the scene. The mode that is selected swings on the canvas."));
+    return g_strdup(_("Small motions about the rest of the scene. The mode that is selected swings on the canvas; a "
+                      "second click, Escape or Play ends that."));
 }
 
 static void on_result(TinkerModesPage *page)
@@ -206,18 +252,27 @@ static void tinker_modes_page_unmap(GtkWidget *widget)
 {
     TinkerModesPage *page = TINKER_MODES_PAGE(widget);
     tinker_modes_task_want(page->task, FALSE);
-    gtk_list_box_unselect_all(GTK_LIST_BOX(page->list));
+    select_none(page);
     stop_swing(page);
     GTK_WIDGET_CLASS(tinker_modes_page_parent_class)->unmap(widget);
 }
 
-GtkWidget *tinker_modes_page_new(TinkerDocument *document, TinkerCanvas *canvas, TinkerModesTask *task)
+GtkWidget *tinker_modes_page_new(TinkerDocument *document, TinkerPlayer *player, TinkerCanvas *canvas,
+                                 TinkerModesTask *task)
 {
+    GtkGesture *click = gtk_gesture_click_new();
     TinkerModesPage *page = g_object_new(TINKER_TYPE_MODES_PAGE, NULL);
     page->document = g_object_ref(document);
     g_set_weak_pointer(&page->canvas, canvas);
+    page->player = g_object_ref(player);
     page->task = g_object_ref(task);
     g_signal_connect_object(page->task, "changed", G_CALLBACK(on_result), page, G_CONNECT_SWAPPED);
+    g_signal_connect_object(player, "state-changed", G_CALLBACK(on_player_state), page, G_CONNECT_SWAPPED);
+    /* what is clicked on the canvas is meant to be seen as it is */
+    gtk_event_controller_set_propagation_phase(GTK_EVENT_CONTROLLER(click), GTK_PHASE_CAPTURE);
+    gtk_gesture_single_set_button(GTK_GESTURE_SINGLE(click), 0);
+    g_signal_connect_object(click, "pressed", G_CALLBACK(select_none), page, G_CONNECT_SWAPPED);
+    gtk_widget_add_controller(GTK_WIDGET(canvas), GTK_EVENT_CONTROLLER(click));
     return GTK_WIDGET(page);
 }
 
@@ -229,6 +284,7 @@ static void tinker_modes_page_dispose(GObject *object)
     page->list = NULL;
     g_clear_weak_pointer(&page->canvas);
     g_clear_object(&page->task);
+    g_clear_object(&page->player);
     g_clear_object(&page->document);
     G_OBJECT_CLASS(tinker_modes_page_parent_class)->dispose(object);
 }
@@ -242,6 +298,18 @@ static void tinker_modes_page_class_init(TinkerModesPageClass *class)
     gtk_widget_class_set_layout_manager_type(widget_class, GTK_TYPE_BOX_LAYOUT);
     gtk_widget_class_set_css_name(widget_class, "modespage");
     gtk_widget_class_set_accessible_role(widget_class, GTK_ACCESSIBLE_ROLE_GROUP);
+}
+
+static void add_list_input(TinkerModesPage *page)
+{
+    GtkGesture *click = gtk_gesture_click_new();
+    GtkEventController *keys = gtk_event_controller_key_new();
+    gtk_event_controller_set_propagation_phase(GTK_EVENT_CONTROLLER(click), GTK_PHASE_CAPTURE);
+    g_signal_connect(click, "pressed", G_CALLBACK(on_list_pressed), page);
+    g_signal_connect(keys, "key-pressed", G_CALLBACK(on_list_key), page);
+    gtk_widget_add_controller(page->list, GTK_EVENT_CONTROLLER(click));
+    gtk_widget_add_controller(page->list, keys);
+    page->was_selected = TRUE;
 }
 
 static void tinker_modes_page_init(TinkerModesPage *page)
@@ -271,4 +339,6 @@ static void tinker_modes_page_init(TinkerModesPage *page)
     gtk_widget_set_parent(page->driven, GTK_WIDGET(page));
     gtk_widget_set_parent(page->curve, GTK_WIDGET(page));
     g_signal_connect_swapped(page->list, "row-selected", G_CALLBACK(on_row_selected), page);
+    g_signal_connect_swapped(page->list, "row-activated", G_CALLBACK(on_row_activated), page);
+    add_list_input(page);
 }

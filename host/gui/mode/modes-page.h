@@ -5,12 +5,15 @@
 
 #include "gui/canvas/canvas.h"
 #include "gui/document/document.h"
+#include "gui/document/player.h"
 #include "gui/mode/modes-task.h"
 
 #define TINKER_TYPE_MODES_PAGE (tinker_modes_page_get_type())
 G_DECLARE_FINAL_TYPE(TinkerModesPage, tinker_modes_page, TINKER, MODES_PAGE, GtkWidget)
 
-/* Takes a reference to the document and to the task, which works the modes out. (transfer floating) */
-GtkWidget *tinker_modes_page_new(TinkerDocument *document, TinkerCanvas *canvas, TinkerModesTask *task);
+/* Takes a reference to the document, the player, which stands still while a mode swings, and to the task, which works
+ * the modes out. (transfer floating) */
+GtkWidget *tinker_modes_page_new(TinkerDocument *document, TinkerPlayer *player, TinkerCanvas *canvas,
+                                 TinkerModesTask *task);
 
 #endif

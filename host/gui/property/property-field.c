@@ -71,6 +71,19 @@ static void add_title_menu(TinkerPropertyField *field)
     gtk_widget_add_controller(field->title, GTK_EVENT_CONTROLLER(click));
 }
 
+/* Of the title, not of the control, where it would cover the next one: what it is, and that there is a slider for it.
+ */
+static void show_tooltip(TinkerPropertyField *field)
+{
+    const char *description = field->row->description;
+    g_autofree char *text =
+        field->row->control == NULL
+            ? g_strdup(description)
+            : g_strdup_printf("%s%s%s", description != NULL ? description : "", description != NULL ? "\n" : "",
+                              _("A slider for it: right-click, Add Control"));
+    gtk_widget_set_tooltip_text(field->title, text);
+}
+
 /* In the entry's own menu. */
 static void show_entry_menu(TinkerPropertyField *field)
 {
@@ -83,7 +96,7 @@ void tinker_property_field_show(TinkerPropertyField *field, TinkerPropertyRow *r
     gboolean same_hint = g_strcmp0(field->row->hint, row->hint) == 0;
     gboolean same = tinker_property_row_same_target(field->row, row);
     gboolean described = g_strcmp0(field->row->description, row->description) == 0;
-    gboolean same_control = g_strcmp0(field->row->control, row->control) == 0;
+    const gboolean same_control = g_strcmp0(field->row->control, row->control) == 0;
     tinker_property_row_ref(row);
     tinker_property_row_unref(field->row);
     field->row = row;
@@ -91,7 +104,7 @@ void tinker_property_field_show(TinkerPropertyField *field, TinkerPropertyRow *r
     property_control_show(field);
     if (!same_hint) show_hint(field);
     if (!same || (!same_hint && !gtk_widget_get_visible(field->problem))) property_field_set_problem(field, NULL);
-    if (!described) gtk_widget_set_tooltip_text(field->title, row->description);
+    if (!described || !same_control) show_tooltip(field);
     if (row->kind == TINKER_ROW_NUMBER && !same_control) show_entry_menu(field);
     property_entry_preview_law(field);
 }
@@ -139,8 +152,7 @@ GtkWidget *tinker_property_field_new(TinkerDocument *document, TinkerPropertyRow
     field->document = g_object_ref(document);
     field->row = tinker_property_row_ref(row);
     make_parts(field);
-    /* Not on the control, where it would cover the next one. */
-    gtk_widget_set_tooltip_text(field->title, row->description);
+    show_tooltip(field);
     property_field_set_problem(field, NULL);
     show_hint(field);
     add_title_menu(field);

@@ -121,7 +121,8 @@ static GtkWidget *new_model_page(TinkerWindow *window, TinkerModesTask *task)
 {
     GtkWidget *box = gtk_box_new(GTK_ORIENTATION_VERTICAL, 0);
     GtkWidget *modes = gtk_expander_new(_("Natural Frequencies and Modes"));
-    gtk_expander_set_child(GTK_EXPANDER(modes), tinker_modes_page_new(window->document, window->canvas, task));
+    gtk_expander_set_child(GTK_EXPANDER(modes),
+                           tinker_modes_page_new(window->document, window->player, window->canvas, task));
     gtk_widget_add_css_class(modes, "modes");
     gtk_accessible_update_property(GTK_ACCESSIBLE(modes), GTK_ACCESSIBLE_PROPERTY_LABEL,
                                    _("Natural Frequencies and Modes"), -1);

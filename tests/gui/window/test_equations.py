@@ -1,8 +1,10 @@
 #!/usr/bin/python3
 """The page "Equations": its terms are read out, light up with their blocks, and have values; diagram and books."""
+import os
 import re
 
 from harness import App, check, main, mass, scene, spring, support, wait
+from harness import scenes
 
 GRAVITY = {"type": "gravity", "name": "Gravity", "acceleration": 10}
 WEIGHT = "Gravity: minus m times g"
@@ -110,7 +112,7 @@ def test_values_beneath_the_terms(display):
 
 def test_values_beneath_the_terms_of_a_moment(display):
     """A spring that is longer by 1 m pulls up at the rim, 0.5 m beside the middle: 25 N at 0.5 m, in two terms for one
-    force, which stands beneath the first of them as a sum."""
+    force, which stands beneath both of them."""
     wheel = {"type": "disc", "name": "Wheel", "position": [0, 0], "mass": 2, "radius": 0.5}
     content = scene(GRAVITY, support("Wall", 0.5, 3, solid=False), wheel,
                     spring("Spring", "Wall", {"block": "Wheel", "at": [0.5, 0]}, stiffness=25, rest_length=2))
@@ -118,7 +120,7 @@ def test_values_beneath_the_terms_of_a_moment(display):
         open_page(app)
         app.click("Values", role="check box")
         moments = re.compile("^Spring: .*r.* times .*T")
-        wait(lambda: app.look("image", moments, description="Σ 12.5 N·m"), "the moment")
+        wait(lambda: app.look("image", moments, description="together 12.5 N·m"), "the moment")
 
 
 def test_selected_body_has_diagram_and_books(display):
@@ -207,6 +209,24 @@ def test_form_without_equations(display):
         app.find_text("These are Newton's")
 
 
+def test_form_of_another_scene_is_not_complained_of(display):
+    """Angles were chosen for a pendulum: a mass on a spring, opened next, has none, and is shown as Newton has it without a word
+    of angles. In angles no term has a value of its own: the switch says so."""
+    rod = {"type": "rod", "name": "Rod", "ends": ["Wall", "Bob"]}
+    home = display.new_home()
+    other = scenes.write(home, "spring.tinker.json", hanging())
+    with App(display, scene(GRAVITY, support("Wall", 0, 3, solid=False), mass("Bob", 0, 0, mass=2), rod), home=home) as app:
+        open_page(app)
+        app.choose_from(app.find("combo box", "Form of Equations"), "Angles")
+        wait(lambda: app.look("image", WEIGHT) is None, "the equation in the angle")
+        wait(lambda: not app.find("check box", "Values").refreshed().has("sensitive"), "no values to switch on", 8)
+        app.activate("open-recent", str(other))
+        app.click("Equations", role="tab")
+        app.find("image", PULL)
+        check(app.look("label", re.compile("angles")) is None, "no word of angles")
+        wait(lambda: app.find("check box", "Values").refreshed().has("sensitive"), "values to switch on")
+
+
 def test_matrices(display):
     """Two masses between walls: m and 2 m on the diagonal of M; in K the sum of two springs, which lie on one line, and
     minus the one between the masses; C is of the damper alone. Each entry has its value, and lights up what it is of."""
@@ -219,7 +239,7 @@ def test_matrices(display):
         app.click("Equations", role="tab")
         app.choose_from(app.find("combo box", "Form of Equations"), "Matrix")
         app.find("image", "K equals")
-        for name, beneath in (("One: row 1, column 1: m", "2 kg"), ("Near: row 1, column 1: k", "Σ 75 N/m"),
+        for name, beneath in (("One: row 1, column 1: m", "2 kg"), ("Near: row 1, column 1: k", "together 75 N/m"),
                               ("Far: row 1, column 2: minus k", "−50 N/m"), ("Brake: row 2, column 2: c", "3 N·s/m")):
             found = re.compile(f"^{name}( one| two|$)")
             app.find("image", found)
@@ -234,6 +254,83 @@ def test_matrices(display):
         app.bring_into_view(term)
         app.xdotool("mousemove", *app.middle(term))
         wait(lambda: app.picture().cut(about) != plain, "a halo about the damper")
+
+
+def dark_span(picture, box):
+    """The least and the greatest column with letters in this part of a picture."""
+    x0, y0, x1, y1 = (int(edge) for edge in box)
+    columns = [x for x in range(x0, x1) if any(sum(picture.pixel(x, y)[:3]) < 300 for y in range(y0, y1))]
+    return columns[0], columns[-1]
+
+
+def test_value_of_a_sum_is_beneath_all_of_it(display):
+    """75 N/m is of k1 + k2 together: it stands in the middle beneath both, and a wheel over the matrix scrolls the page."""
+    content = scene(support("Wall", 0, 0, solid=False), mass("One", 1, 0, mass=2), mass("Two", 3, 0, mass=4),
+                    spring("Near", "Wall", "One", stiffness=25, rest_length=1),
+                    spring("Far", "One", "Two", stiffness=50, rest_length=2))
+    with App(display, content) as app:
+        app.show_width()
+        app.click("Equations", role="tab")
+        app.choose_from(app.find("combo box", "Form of Equations"), "Matrix")
+        app.click("Values", role="check box")
+        near = app.find("image", re.compile("^Near: row 1, column 1: "))
+        wait(lambda: near.refreshed().description == "together 75 N/m", "the value")
+        app.xdotool("mousemove", *app.at(2, 2))
+        first, last = app.settled(near), app.settled(app.find("image", re.compile("^Far: row 1, column 1: ")))
+        bottom = first[1] + first[3]
+        picture = app.picture()
+        left, right = dark_span(picture, (first[0], bottom - 11, last[0] + last[2], bottom))
+        middle = (first[0] + last[0] + last[2]) / 2
+        check(abs((left + right) / 2 - middle) < 4, f"the value from {left} to {right} about {middle}")
+        keep = os.environ.get("TINKER_PICTURES")
+        if keep:
+            picture.write_png(f"{keep}/matrix.png")
+        app.xdotool("mousemove", *app.middle(near))
+        app.xdotool("click", "--repeat", "3", "5")
+        wait(lambda: app.box(near)[1] < first[1] - 20, "the page to scroll")
+
+
+def test_value_is_never_cut(display):
+    """1.2345e-5 kg under 10 m/s^2: its four digits and its size have room, whatever that takes."""
+    with App(display, scene(GRAVITY, mass("Bob", 0, 0, mass=1.2345e-5))) as app:
+        open_page(app)
+        app.click("Values", role="check box")
+        weight = app.find("image", WEIGHT)
+        wait(lambda: weight.refreshed().description in ("−0.0001234 N", "−0.0001235 N"), "the weight")
+        wait(lambda: app.box(weight)[2] > 74, "room for it")
+
+
+def test_rounding_is_no_force(display):
+    """A bob hangs on a rod that leans by rounding alone: across it pulls with 0 N, as diagram and books say."""
+    content = scene(GRAVITY, support("Wall", 0, 3, solid=False), mass("Bob", 1e-15, 0, mass=2),
+                    {"type": "rod", "name": "Rod", "ends": ["Wall", "Bob"]})
+    with App(display, content) as app:
+        open_page(app)
+        app.click("Values", role="check box")
+        across = re.compile("^Rod: ")
+        wait(lambda: [node.description for node in app.tree.refresh(True) if node.role == "image" and across.match(node.name)
+                      and node.description][:2] == ["0 N", "20 N"], "0 N across and 20 N up")
+
+
+def test_list_of_values_follows_while_it_plays(display):
+    """The moment over the list of values is that at the top of the page, and is never that of the start for long."""
+    content = scene(support("Wall", 0, 0, solid=False), mass("Bob", 1, 0, mass=2),
+                    spring("Spring", "Wall", "Bob", stiffness=25, rest_length=0.5), duration=600)
+    with App(display, content) as app:
+        app.show_width()
+        app.click("Equations", role="tab")
+        app.find("image", re.compile("^Spring: "))
+
+        def listed():
+            label = app.look("label", re.compile(r"^at t = [\d.]+ s$"))
+            return float(label.name.split()[3]) if label else -1
+
+        wait(lambda: listed() == 0, "the values of the start")
+        app.activate("play")
+        for _ in range(3):
+            before = listed()
+            wait(lambda: listed() > before, "later values")
+        check(listed() <= app.time(), "no moment is shown before it has come")
 
 
 def test_pattern_of_many_coordinates(display):

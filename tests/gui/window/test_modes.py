@@ -3,6 +3,7 @@
 with sqrt(k/m) / 2 pi = 0.7958 Hz and sideways, as a pendulum, with sqrt(g/L) / 2 pi = 0.3223 Hz of the stretched length."""
 import os
 import re
+import time
 
 from harness import App, check, main, mass, scene, spring, support, wait
 
@@ -40,6 +41,55 @@ def test_frequencies_and_shapes(display):
         wait(lambda: look()[0] == beside and look()[1] != above, "the bob above")
         app.click("Natural Frequencies and Modes", role="label")  # the button is as large as all of it
         wait(lambda: look() == [beside, above], "the scene as it is")
+
+
+def test_a_mode_is_switched_off(display):
+    """By a second click, Escape, a click on the canvas, and by playing, which shows the motion alone."""
+    with App(display, hanging()) as app:
+        item = open_modes(app)
+        area = app.area(0.46, 0.2, 0.6, 1)  # beside the bob
+
+        def look():
+            return app.picture().cut(area)
+
+        plain = look()
+        for end in (lambda: app.click(item, role="list item"), lambda: app.press("Escape"), lambda: app.click_world(1.5, 2)):
+            app.click(item, role="list item")
+            wait(lambda: look() != plain, "the bob at the right")
+            time.sleep(0.6)  # no double click
+            end()
+            wait(lambda: look() == plain, "the scene as it is")
+            check(not item.refreshed().has("selected"), "the mode is no longer selected")
+        app.click(item, role="list item")
+        wait(lambda: look() != plain, "the bob at the right")
+        app.click("Play")
+        wait(lambda: not item.refreshed().has("selected") and look() == plain, "the motion, which is upright, alone")
+        app.click(item, role="list item")
+        wait(lambda: not app.is_playing() and look() != plain, "the mode, for which the run stands still")
+
+
+def test_what_friction_holds_has_no_modes(display):
+    content = scene({"type": "gravity", "name": "Gravity"},
+                    support("Floor", 0, -0.5, width=10, height=0.6, static_friction=0.5, dynamic_friction=0.4),
+                    mass("Bob", 0, 0.2, mass=2, width=0.8, height=0.8))
+    with App(display, content) as app:
+        app.click("Equations", role="tab")
+        app.click("Natural Frequencies and Modes")
+        text = app.find_text("There is nothing to swing: what touches leaves none of the scene's 2 degrees of freedom")
+        check("Bob: held on Floor by friction" in text.name, "what holds it")
+
+
+def test_numbers_are_those_of_the_matrix(display):
+    """Two masses of 1 kg on 3, 2 and 3 N/m: x1 = x2 with sqrt 3 rad/s, x1 = -x2 with sqrt 7 rad/s; up and down nothing holds them."""
+    content = scene(support("Left", -3, 0, solid=False), mass("A", -1, 0), mass("B", 1, 0), support("Right", 3, 0, solid=False),
+                    spring("S1", "Left", "A", stiffness=3), spring("S2", "A", "B", stiffness=2),
+                    spring("S3", "B", "Right", stiffness=3))
+    with App(display, content) as app:
+        app.click("Equations", role="tab")
+        app.click("Natural Frequencies and Modes")
+        app.find("list item", re.compile(r"^Mode 1, sideways in step: ω₀ = 1\.732 .*\nA : B = 1 : 1$"))
+        app.find("list item", re.compile(r"^Mode 2, sideways against each other: ω₀ = 2\.646 .*\nA : B = 1 : −1$"))
+        app.find("list item", re.compile("^Mode, up and down.*0 Hz"))
 
 
 def test_what_drives_it_near_resonance(display):
