@@ -196,6 +196,7 @@ static void take_open(TinkerContactChange *change, double tolerance)
         const TinkerContactPair *pair = &g_array_index(self->near, TinkerContactPair, i);
         if (self->together[pair->body] != change->group) continue;
         TinkerTouch taken = {.contact = {.body = pair->body, .plate = pair->plate}, .row = -1};
+        if (tinker_contact_run_is_across(self, pair->body, pair->plate)) continue;
         taken.place = place_of(change, &taken);
         gboolean guided = tinker_contacts_is_guided(self->contacts, pair->body, pair->plate);
         double near = guided ? fmax(tolerance, 2 * TINKER_TOUCHING) : tolerance;
