@@ -195,11 +195,13 @@ static gboolean settle(TinkerContactChange *change)
     return tinker_change_push_all(change, laws.answers);
 }
 
-/* Whether something does so faster than this share of the largest speed. */
+/* Whether something does so faster than this share of what speeds are measured by. */
 static gboolean approaches(const TinkerContactChange *change, double share)
 {
     for (guint i = 0; i < change->touches->len; i++)
-        if (tinker_touch(change, i)->place.normal_speed < -share * change->speed) return TRUE;
+        if (tinker_touch(change, i)->place.normal_speed <
+            -share * tinker_change_speed_scale(change, tinker_touch(change, i)))
+            return TRUE;
     return FALSE;
 }
 

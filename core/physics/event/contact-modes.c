@@ -102,7 +102,7 @@ static void drop_parting(TinkerContactChange *change)
     for (guint i = change->touches->len; i-- > 0;) {
         TinkerTouch *at = tinker_touch(change, i);
         gboolean over = goes_over_end(change, at);
-        at->dropped = over || at->place.normal_speed > TINKER_STILL * change->speed;
+        at->dropped = over || at->place.normal_speed > TINKER_STILL * tinker_change_speed_scale(change, at);
         if (tinker_touch_leans(change, i)) continue; /* it goes with what it leans on */
         if (!at->dropped) continue;
         if (over)

@@ -126,6 +126,12 @@ void tinker_change_measure(TinkerContactChange *change)
         tinker_touch(change, i)->place = place_of(change, tinker_touch(change, i));
 }
 
+double tinker_change_speed_scale(const TinkerContactChange *change, const TinkerTouch *at)
+{
+    const double *g = change->model->constant_acceleration + 2 * at->contact.body;
+    return fmax(change->speed, sqrt(hypot(g[0], g[1]) * change->contacts->thickness));
+}
+
 gboolean tinker_change_approaches(const TinkerContactChange *change, const TinkerContactPair *pair)
 {
     const TinkerTouch of = {.contact = {.body = pair->body, .plate = pair->plate}, .row = pair->row};
