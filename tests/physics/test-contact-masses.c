@@ -76,6 +76,30 @@ static void test_points(void)
     physics_assert_near("passes", physics_last(run, 3), -1, 0);
 }
 
+/* A point, or a line, that strikes a line from either side rebounds once and stays on that side. */
+static void test_lines(void)
+{
+    static const char *struck[] = {"{'type': 'mass', 'width': 0, 'height': 0.4, 'collides': true",
+                                   "{'type': 'bar', 'length': 0.4, 'width': 0, 'solid': true, 'orientation': '90 deg'"};
+    static const double restitutions[] = {0, 0.5, 1}, speeds[] = {1.3, -0.7};
+    for (int i = 0; i < 2 * 2 * 3 * 2; i++) {
+        const double e = restitutions[i / 2 % 3], u = speeds[i % 2], high = 0.1 * (i / 6 % 2);
+        const gboolean bar = i / 12 == 1;
+        /* the bar is struck in its middle, so that it does not turn */
+        const double at = bar ? 0 : 0.05, hits = 0.3;
+        g_autoptr(PhysicsRun) run = physics_run(
+            &(PhysicsOptions){.duration = 0.5, .columns = bar ? "Bar 0.vx, Mass 0.vx" : "Mass 0.vx, Mass 1.vx"},
+            CONTACT_WEIGHT
+            "%s, 'mass': 3, 'position': [0.1, 0.2], 'velocity': [0.4, 0.6], 'restitution': %g," CONTACT_SMOOTH
+            "}, {'type': 'mass', 'width': 0, 'height': %g, 'collides': true,"
+            "'position': [%.17g, %.17g], 'velocity': [%.17g, 0.6]," CONTACT_SMOOTH "}",
+            struck[bar], e, high, 0.1 - u * hits, 0.2 + at, 0.4 + u);
+        contact_assert_event(run, e > 0 ? "impact" : "rest", bar ? "Bar 0, Mass 0" : "Mass 0, Mass 1", hits, 1e-12);
+        physics_assert_near("the line's", physics_last(run, 0), 0.4 + (1 + e) * u / 4, 1e-9);
+        physics_assert_near("the point's", physics_last(run, 1), 0.4 + u - (1 + e) * u * 3 / 4, 1e-9);
+    }
+}
+
 /* A bullet that strikes a block of no friction from above, and stays in its path: along the face nothing is taken. */
 static void test_glancing(void)
 {
@@ -240,6 +264,7 @@ static void add_tests(void)
     g_test_add_func("/physics/contact-masses/carts", test_carts);
     g_test_add_func("/physics/contact-masses/pi", test_pi);
     g_test_add_func("/physics/contact-masses/points", test_points);
+    g_test_add_func("/physics/contact-masses/lines", test_lines);
     g_test_add_func("/physics/contact-masses/glancing", test_glancing);
     g_test_add_func("/physics/contact-masses/cradle", test_cradle);
     g_test_add_func("/physics/contact-masses/upon", test_upon);

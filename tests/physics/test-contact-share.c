@@ -30,6 +30,42 @@ static void test_tied_on_a_slope(void)
     }
 }
 
+/* A disc lies in a groove of two slopes of 45 degrees; a torque grows until it turns there, at
+ * sqrt(2) mu R m g / (1 + mu^2). Until then nothing moves but by rounding, which is no speed: nothing parts or strikes,
+ * however often the share of the load changes on the way. */
+static void test_twisted_in_a_groove(void)
+{
+    static const struct {
+        const char *method;
+        double step;
+    } cases[] = {{"verlet", 1e-2},  {"verlet", 1e-3}, {"verlet6", 1e-2},
+                 {"newmark", 1e-2}, {"rk4", 1e-2},    {"dopri5", 0}};
+    const double friction = 0.3, rate = 5, weight = 2 * CONTACT_GRAVITY;
+    const double slips = sqrt(2) * friction * 0.5 * weight / (1 + friction * friction) / rate;
+    for (gsize i = 0; i < G_N_ELEMENTS(cases); i++) {
+        g_autoptr(PhysicsRun) run = physics_run(
+            &(PhysicsOptions){
+                .method = cases[i].method, .step = cases[i].step, .duration = 1, .columns = "Disc 0.angle"},
+            CONTACT_WEIGHT
+            "{'type': 'support', 'orientation': '-45 deg', 'width': 10, 'height': 0, 'dynamic_friction': 0.3,"
+            "'static_friction': 0.3, 'position': [-%.17g, %.17g]},"
+            "{'type': 'support', 'orientation': '45 deg', 'width': 10, 'height': 0, 'dynamic_friction': 0.3,"
+            "'static_friction': 0.3, 'position': [%.17g, %.17g]},"
+            "{'type': 'disc', 'mass': 2, 'radius': 0.5, 'position': [0, %.17g]},"
+            "{'type': 'torque', 'ends': ['Disc 0'], 'waveform': {'expression': '5*t'}}",
+            sqrt(8), sqrt(8), sqrt(8), sqrt(8), sqrt(0.5));
+        contact_assert_count(run, "take-off", 0);
+        contact_assert_count(run, "impact", 0);
+        contact_assert_count(run, "rest", 0);
+        contact_assert_event(run, "slip", "Disc 0, Support 0", slips, 1e-9);
+        contact_assert_event(run, "slip", "Disc 0, Support 1", slips, 1e-9);
+        g_assert_cmpuint(run->summary->warnings->len, ==, 0);
+        /* both rub with what they bear, which takes the torque at the slip: what is left of 5 t turns it */
+        physics_assert_near("turns", physics_last(run, 0), rate * pow(1 - slips, 3) / 6 / 0.25,
+                            fmax(cases[i].step * cases[i].step, 1e-8));
+    }
+}
+
 /* A box that a slider guides strikes another flush and pushes it along a rough table: friction between the two may bear
  * some of the pushed one's weight, and so much less of that rubs on the table. The motion hangs on a share that the
  * laws leave open: the run says so, and takes the same one whatever rounding came before. The second time all is
@@ -78,6 +114,7 @@ static void test_guided_push(void)
 
 static void add_tests(void)
 {
+    g_test_add_func("/contact-share/twisted-in-a-groove", test_twisted_in_a_groove);
     g_test_add_func("/contact-share/guided-push", test_guided_push);
     g_test_add_func("/contact-share/tied-on-a-slope", test_tied_on_a_slope);
 }

@@ -117,12 +117,40 @@ static void test_rattles_to_rest(void)
     contact_assert_taken(run, 0, 50, 1e-9);
 }
 
+/* A disc between a floor that rises and a wall that leans over it by 60 degrees: both push it out of the nip as long as
+ * their forces can point outwards, mu < tan(30 degrees); else nothing can move, and the run says what is wedged. */
+static void test_nip(void)
+{
+    const double radius = 0.2, lean = G_PI / 3, limit = tan(lean / 2);
+    for (int k = 0; k < 4; k++) {
+        const double friction = limit + (k % 2 == 0 ? -1e-6 : 1e-6), rise = k < 2 ? 0.2 * 0.09 : 0.3 * 0.3;
+        g_autoptr(PhysicsRun) run =
+            physics_try(&(PhysicsOptions){.duration = 0.3, .columns = "Disc 0.x"},
+                        CONTACT_WEIGHT
+                        "{'type': 'support', 'position': [5, 0], 'width': 10.2, 'height': 0, 'dynamic_friction': %.17g,"
+                        " 'static_friction': %.17g},"
+                        "{'type': 'support', 'position': [%.17g, %.17g], 'width': 10.2, 'height': 0,"
+                        " 'orientation': '240 deg', 'dynamic_friction': %.17g, 'static_friction': %.17g},"
+                        "{'type': 'support-motion', 'ends': ['Support 0'], 'waveform': {'expression': '%s'},"
+                        " 'angle': '90 deg'},"
+                        "{'type': 'disc', 'mass': 1, 'radius': %.17g, 'position': [%.17g, %.17g]}",
+                        friction, friction, 5 * cos(lean), 5 * sin(lean), friction, friction,
+                        k < 2 ? "0.2*t^2" : "0.3*t", radius, radius / tan(lean / 2), radius);
+        if (k % 2 == 0)
+            physics_assert_near("out of the nip", physics_last(run, 0), radius / tan(lean / 2) + rise / tan(lean),
+                                1e-9);
+        else
+            physics_assert_refused(run, TINKER_MODEL_ERROR_RUN, "Disc 0 is wedged", "friction", NULL);
+    }
+}
+
 static void add_tests(void)
 {
     g_test_add_func("/contact-wedged/grows-beyond-bounds", test_grows_beyond_bounds);
     g_test_add_func("/contact-wedged/pyramid", test_pyramid);
     g_test_add_func("/contact-wedged/struck-pyramid", test_struck_pyramid);
     g_test_add_func("/contact-wedged/askew", test_askew);
+    g_test_add_func("/contact-wedged/nip", test_nip);
     g_test_add_func("/contact-wedged/rattles-to-rest", test_rattles_to_rest);
 }
 

@@ -57,6 +57,48 @@ static void test_three_balls(void)
     }
 }
 
+typedef struct {
+    double masses[3], e;
+} Row;
+
+/* The velocities of three balls of which the first strikes, at 2 m/s, two that touch: in sequence, the pair that
+ * approaches faster first. */
+static void strike_by_turns(const Row *row, double v[3])
+{
+    v[0] = 2;
+    v[1] = v[2] = 0;
+    for (int blow = 0; blow < 1000; blow++) {
+        const int k = v[1] - v[0] < v[2] - v[1] ? 0 : 1;
+        const double u = v[k + 1] - v[k], a = row->masses[k], b = row->masses[k + 1];
+        if (!(u < -1e-14)) break;
+        v[k] += (1 + row->e) * u * b / (a + b);
+        v[k + 1] -= (1 + row->e) * u * a / (a + b);
+    }
+}
+
+/* What lay at rest rebounds by its own restitution as soon as a blow elsewhere drives it together, also where something
+ * rubs or takes energy there. */
+static void test_driven_together(void)
+{
+    static const Row rows[] = {{{1, 1, 1}, 1}, {{1, 2, 1}, 0.6}, {{2, 1, 3}, 0.8}, {{1, 0.2, 5}, 0.9}};
+    for (gsize i = 0; i < G_N_ELEMENTS(rows); i++) {
+        double v[3];
+        strike_by_turns(&rows[i], v);
+        g_autoptr(GString) blocks = g_string_new(NULL);
+        for (int k = 0; k < 3; k++)
+            g_string_append_printf(blocks,
+                                   "%s{'type': 'disc', 'radius': 0.2, 'mass': %g, 'restitution': %g, "
+                                   "'position': [%g, 0], 'velocity': [%g, 0]}",
+                                   k > 0 ? ", " : "", rows[i].masses[k], rows[i].e, k == 0 ? -1 : 0.4 * (k - 1),
+                                   k == 0 ? 2.0 : 0.0);
+        const PhysicsOptions options = {
+            .duration = 0.31, .impact_law = "sequential", .columns = "Disc 0.vx, Disc 1.vx, Disc 2.vx"};
+        g_autoptr(PhysicsRun) run = physics_run(&options, "%s", blocks->str);
+        for (gsize k = 0; k < 3; k++)
+            physics_assert_near("in sequence", physics_last(run, k), v[k], 1e-12);
+    }
+}
+
 /* Blows one after the other leave nothing open: no warning, and nothing to choose from. */
 static void test_one_by_one(void)
 {
@@ -80,6 +122,7 @@ static void test_impulses(void)
 static void add_tests(void)
 {
     g_test_add_func("/physics/impact-law/three-balls", test_three_balls);
+    g_test_add_func("/physics/impact-law/driven-together", test_driven_together);
     g_test_add_func("/physics/impact-law/one-by-one", test_one_by_one);
     g_test_add_func("/physics/impact-law/impulses", test_impulses);
 }

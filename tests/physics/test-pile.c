@@ -139,6 +139,26 @@ static void test_masses(void)
     physics_assert_near("across", physics_last(run, 2), 0, 1e-12);
 }
 
+/* Points that fall onto a bar without width, and rise against it, stay on their side: what is struck without any
+ * rebound from above lies there, what is from below falls from there at once. */
+static void test_thin(void)
+{
+    const double rises = 6, arrives = (rises - sqrt(rises * rises - 2 * 9.81 * 0.5)) / 9.81, left = 1 - arrives;
+    for (int k = 0; k < 3; k++) {
+        const double h = 1e-3 / (1 << k);
+        const PhysicsOptions options = impulses(1, h, "Mass 0.y, Mass 1.y, Mass 0.vy");
+        g_autoptr(PhysicsRun) run = physics_run(
+            &options, CONTACT_WEIGHT "{'type': 'support', 'position': [0, 1], 'solid': false},"
+                                     "{'type': 'bar', 'length': 4, 'width': 0, 'solid': true, 'position': [0, 1]},"
+                                     "{'type': 'weld', 'ends': ['Support 0', 'Bar 0']}," CONTACT_POINT
+                                     ", 'collides': true, 'position': [-0.5, 1.5], 'velocity': [0.4, 0]}," CONTACT_POINT
+                                     ", 'collides': true, 'position': [0.5, 0.5], 'velocity': [0, 6]}");
+        physics_assert_near("lies", physics_last(run, 0), 1, 1e-9);
+        physics_assert_near("has fallen", physics_last(run, 1), 1 - 9.81 * left * left / 2, 20 * h);
+        physics_assert_near("rests", physics_last(run, 2), 0, 1e-9);
+    }
+}
+
 /* A box that comes down on a corner and rocks over a rough floor, through some ten impacts: to first order what events,
  * which know the instants of impacts, make of it. */
 static void test_bounces(void)
@@ -329,6 +349,7 @@ static void add_tests(void)
     g_test_add_func("/physics/pile/rests-surely", test_rests_surely);
     g_test_add_func("/physics/pile/three-balls", test_three_balls);
     g_test_add_func("/physics/pile/masses", test_masses);
+    g_test_add_func("/physics/pile/thin", test_thin);
     g_test_add_func("/physics/pile/bounces", test_bounces);
     g_test_add_func("/physics/pile/momentum", test_momentum);
     g_test_add_func("/physics/pile/as-by-events", test_as_by_events);

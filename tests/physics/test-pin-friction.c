@@ -292,8 +292,41 @@ static void test_struck_elsewhere(void)
                    " 'dynamic_friction': 0}");
 }
 
+/* A pin whose friction sticks and slips by turns with what it strikes is none that opens: however far the run comes,
+ * its books close. */
+static void test_by_turns(void)
+{
+    g_autoptr(PhysicsRun) run = physics_try(
+        &(PhysicsOptions){.duration = 3, .tolerance = 1e-9, .impact_law = "poisson"},
+        "{'type': 'gravity', 'name': 'g', 'acceleration': 9.81},"
+        "{'type': 'support', 'name': 'F', 'position': [0.0, -0.2], 'orientation': 0, 'width': 9.436024161281118, "
+        "'height': 0.4, 'static_friction': 0.9, 'dynamic_friction': 0.9, 'restitution': 0.3},"
+        "{'type': 'support', 'name': 'L', 'position': [-2.918012080640559, 2.0], 'orientation': -1.5707963267948966, "
+        "'width': 8, 'height': 0.4, 'static_friction': 0.9, 'dynamic_friction': 0.9, 'restitution': 0.3},"
+        "{'type': 'box', 'name': 'box1', 'position': [0.0, 0.9], 'mass': 1, 'velocity': [-0.15171576746732196, "
+        "1.5679420360648302], 'width': 0.44271781646957753, 'height': 0.443194295713911, 'orientation': "
+        "2.3397795972409376, 'angular_velocity': 0},"
+        "{'type': 'box', 'name': 'box4', 'position': [0.8493787752001747, 1.3416769631040908], 'mass': 10, 'velocity': "
+        "[-0.8550525789244752, -1.7273393513162851], 'width': 0.1788308643864824, 'height': 0.24318095320013025, "
+        "'orientation': 0, 'angular_velocity': 0},"
+        "{'type': 'disc', 'name': 'disc6', 'position': [-1.6987575504003494, 1.7833539262081817], 'mass': 0.1, "
+        "'velocity': [1.519069245856171, 0.022357200934094212], 'restitution': 0.5, 'static_friction': 0.4, "
+        "'dynamic_friction': 0.3, 'radius': 0.1761905499897736, 'orientation': -0.6258801905084326, "
+        "'angular_velocity': 0},"
+        "{'type': 'disc', 'name': 'disc7', 'position': [0.0, 3.7499999999999996], 'mass': 2, 'velocity': "
+        "[-1.7389630922907569, 0.5126511291541793], 'radius': 0.2829595079492624, 'orientation': 0, "
+        "'angular_velocity': 0.32730509211012304, 'rolling_resistance': 0.01},"
+        "{'type': 'bumper', 'name': 'bu1', 'ends': ['disc7', 'box1'], 'stiffness': 500, 'damping': 2.2691456468505304, "
+        "'length': 2.0258820913141675},"
+        "{'type': 'pin', 'name': 'pi2', 'ends': [{'block': 'disc6', 'at': [1.1619353284509666, 0.5673848877904593]}, "
+        "{'block': 'box4', 'at': [-1.274068162800262, 0.22083848155204544]}], 'friction_radius': 0.03, 'friction': "
+        "0.3}");
+    physics_assert_near("the books", run->summary->energy_balance_error, 0, 1e-6);
+}
+
 static void add_tests(void)
 {
+    g_test_add_func("/pin-friction/by-turns", test_by_turns);
     g_test_add_func("/pin-friction/spins-down", test_spins_down);
     g_test_add_func("/pin-friction/apart", test_apart);
     g_test_add_func("/pin-friction/cone", test_cone);

@@ -69,6 +69,8 @@ typedef struct {
                                   gives; or NULL */
     const TinkerContactMotion *motion;
     const int32_t *bearer; /* m: its own number, that of the contact it leans on, or -1; NULL: none leans on another */
+    const double *driven;  /* m: restitution of what others' blows drive together, by laws that know of it; NULL: as
+                              restitution */
 } TinkerImpact;
 
 /* Writes the impulses p (2m). No impact adds energy: where Newton's restitution together with friction would (the sum

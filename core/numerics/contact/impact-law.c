@@ -44,6 +44,12 @@ static double bound_of(const TinkerImpact *impact, gsize k, const double *p)
     return impact->friction[k] * p[2 * bearer_of(impact, k)];
 }
 
+/* Of contacts that may come together by blows at others alone, which Newton's law does not ask about. */
+static const double *restitution_of(const TinkerImpact *impact)
+{
+    return impact->driven != NULL ? impact->driven : impact->restitution;
+}
+
 /* Poisson's -------------------------------------------------------------------------------------------------------- */
 
 /* One sweep of the second phase over all contacts; answers the largest change of a velocity. */
@@ -92,11 +98,11 @@ static double expand(void *data, double share)
     const Phases *self = data;
     const TinkerImpact *impact = self->impact;
     const gsize width = 2 * (gsize)impact->count;
-    const double enough = 1e-16 * largest_of(impact);
+    const double *restitution = restitution_of(impact), enough = 1e-16 * largest_of(impact);
     memset(self->second, 0, width * sizeof(double));
     memcpy(self->u, self->rest, width * sizeof(double));
     for (int32_t k = 0; k < impact->count; k++)
-        self->least[k] = share * impact->restitution[k] * self->first[2 * k];
+        self->least[k] = share * restitution[k] * self->first[2 * k];
     int32_t pass = 0;
     while (pass < MOST_SWEEPS && sweep(impact, self->least, self->second, self->u) > enough)
         pass++;
@@ -165,10 +171,11 @@ typedef struct {
 static void take_part(Part *part, const TinkerImpact *impact, const int32_t *pair, int32_t number, const double *u)
 {
     const gsize width = 2 * (gsize)impact->count;
+    const double *restitution = restitution_of(impact);
     part->count = 0;
     for (int32_t k = 0; k < impact->count; k++) {
         if (pair[k] != number) continue;
-        part->restitution[part->count] = impact->restitution[k];
+        part->restitution[part->count] = restitution[k];
         part->friction[part->count] = impact->friction[k];
         part->bearer[part->count] = impact->bearer != NULL && impact->bearer[k] < 0 ? -1 : part->count;
         for (int32_t i = 0; i < part->count; i++)

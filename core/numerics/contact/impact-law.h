@@ -3,7 +3,8 @@
  *
  * Poisson's: in a first phase approaching contacts are brought to rest, by impulses p; in a second they push themselves
  * apart by at least e p. In sequence: the pair that approaches fastest strikes by Newton's law as if nothing else
- * touched, then the one that approaches fastest then, until none does.
+ * touched, then the one that approaches fastest then, until none does. In both what lay at rest rebounds, too, as soon
+ * as something else drives it together (`driven` in TinkerImpact).
  *
  * Sources: C. Glocker, F. Pfeiffer, "Multibody Dynamics with Unilateral Contacts" (1996), ch. 8 (Newton's and Poisson's
  * laws); Y.-B. Jia, M. T. Mason, M. A. Erdmann, "Multiple impacts: A state transition diagram approach", Int. J.

@@ -196,11 +196,13 @@ static gboolean settle(TinkerContactChange *change)
     return tinker_change_push_all(change, laws.answers);
 }
 
-/* Whether something does so faster than this share of the largest speed. */
+/* Whether something does so faster than this share of what speeds are measured by. */
 static gboolean approaches(const TinkerContactChange *change, double share)
 {
     for (guint i = 0; i < change->touches->len; i++)
-        if (tinker_touch(change, i)->place.normal_speed < -share * change->speed) return TRUE;
+        if (tinker_touch(change, i)->place.normal_speed <
+            -share * tinker_change_speed_scale(change, tinker_touch(change, i)))
+            return TRUE;
     return FALSE;
 }
 
@@ -208,13 +210,21 @@ static gboolean approaches(const TinkerContactChange *change, double share)
  * what did not approach before a blow. Of blows that follow on one another by turns each takes a
  * share of what is left of the speeds that close: infinitely many leave none, as one without rebound does, since all of
  * them act along the same directions. */
-static double seen_restitution(const TinkerContactChange *change, guint number)
+static double seen_restitution(const TinkerContactChange *change, guint number, double approach)
 {
     if (change->trigger.kind == TINKER_TRIGGER_BLOW) return 0;
-    double e = tinker_touch_surface(change, number).restitution,
-           approach = -tinker_touch(change, number)->place.normal_speed;
+    const double e = tinker_touch_surface(change, number).restitution;
     const gboolean unseen = e * approach < least_rebound(change, number);
     return unseen || (change->rattles && e < 1) ? 0 : e;
+}
+
+/* How fast the fastest approach. */
+static double fastest_approach(const TinkerContactChange *change)
+{
+    double fastest = 0;
+    for (guint i = 0; i < change->touches->len; i++)
+        fastest = fmax(fastest, -tinker_touch(change, i)->place.normal_speed);
+    return fastest;
 }
 
 /* Whether something goes on closing after the impact. */
@@ -325,21 +335,33 @@ static void warn_of_pins(TinkerContactChange *change, const double *impulses)
     }
 }
 
+/* Notes which side of a line is touched where bodies strike, whether that takes an impulse or not. */
+static void note_side(TinkerContactChange *change, guint number)
+{
+    const TinkerTouch *at = tinker_touch(change, number);
+    const TinkerGapFunction *gap = at->row < 0 ? tinker_touch_plate(change, number)->gap : NULL;
+    if (gap != NULL && gap->reverse != 0) g_array_append_val(change->run->struck, at->contact.plate);
+}
+
 /* The impact itself; `again`: what is left of it, without any rebound. */
 static gboolean strike(TinkerContactChange *change, gboolean again, GError **error)
 {
     g_auto(TinkerContactLaws) laws = {0};
     if (tinker_contact_laws_init(&laws, change) != TINKER_OK)
         return tinker_change_refuse(change, change->model->failure, error);
+    const double fastest = fastest_approach(change);
+    g_autofree double *driven = g_new(double, MAX(laws.count, 1)); /* as fast as anything approaches, at most */
     for (guint i = 0; i < laws.count; i++) {
-        laws.pairs[2 * i] = tinker_touch(change, i)->place.normal_speed;
-        laws.pairs[2 * i + 1] = tinker_touch(change, i)->place.tangential_speed;
-        laws.first[i] = again ? 0 : seen_restitution(change, i);
+        const TinkerContactPlace *place = &tinker_touch(change, i)->place;
+        laws.pairs[2 * i] = place->normal_speed;
+        laws.pairs[2 * i + 1] = place->tangential_speed;
+        laws.first[i] = again ? 0 : seen_restitution(change, i, -place->normal_speed);
+        driven[i] = again ? 0 : seen_restitution(change, i, fastest);
         /* the friction of a pin is left out of blows */
         laws.second[i] = tinker_touch_is_pin(change, i) ? 0 : tinker_touch_surface(change, i).dynamic_friction;
     }
-    TinkerImpact impact = {(int32_t)laws.count, laws.delassus, laws.pairs,  laws.first,
-                           laws.second,         NULL,          laws.motion, laws.bearer};
+    TinkerImpact impact = {(int32_t)laws.count, laws.delassus, laws.pairs, laws.first, laws.second, NULL,
+                           laws.motion,         laws.bearer,   driven};
     g_autofree int32_t *pair = g_new(int32_t, laws.count);
     const int32_t pairs = tinker_change_number_pairs(change, pair);
     const TinkerContactResult result = tinker_impact_by_law(change->contacts->impact_law, &impact, pair, laws.answers);
@@ -352,6 +374,7 @@ static gboolean strike(TinkerContactChange *change, gboolean again, GError **err
         const guint bearer = tinker_touch_bearer(change, i);
         at->struck |= laws.answers[2 * bearer] > 0;
         if (laws.answers[2 * i] > 0) at->contact.normal = laws.answers[2 * i];
+        note_side(change, i);
     }
     warn_of_pins(change, laws.answers);
     if (!tinker_change_push_all(change, laws.answers))

@@ -102,7 +102,7 @@ static void drop_parting(TinkerContactChange *change)
     for (guint i = change->touches->len; i-- > 0;) {
         TinkerTouch *at = tinker_touch(change, i);
         gboolean over = goes_over_end(change, at);
-        at->dropped = over || at->place.normal_speed > TINKER_STILL * change->speed;
+        at->dropped = over || at->place.normal_speed > TINKER_STILL * tinker_change_speed_scale(change, at);
         if (tinker_touch_leans(change, i)) continue; /* it goes with what it leans on */
         if (!at->dropped) continue;
         if (over)
@@ -259,11 +259,14 @@ static TinkerContactResult ask_modes(TinkerContactChange *change, TinkerContactL
 }
 
 /* A contact whose force has just come to 0 opens, unless something presses it again; so does one that presses by
- * nothing and is to slip, where that would only be the turn of another, and where opening was not tried just now. */
-static gboolean lets_go(const TinkerContactChange *change, const TinkerTouch *at, double force, double noise)
+ * nothing and is to slip, where that would only be the turn of another, and where opening was not tried just now. A
+ * pin, which has no normal force of its own, never opens. */
+static gboolean lets_go(const TinkerContactChange *change, guint number, double force, double noise)
 {
+    const TinkerTouch *at = tinker_touch(change, number);
     const TinkerTriggerKind kind = change->trigger.kind;
     const gboolean limit = kind == TINKER_TRIGGER_FORWARD || kind == TINKER_TRIGGER_BACKWARD;
+    if (tinker_touch_is_pin(change, number)) return FALSE;
     if (!tinker_change_is_trigger(change, at) || force > TINKER_LET_GO * noise) return FALSE;
     return kind == TINKER_TRIGGER_NORMAL ||
            (limit && change->turns && !tinker_contact_run_came_back(change->run, &change->trigger));
@@ -303,7 +306,7 @@ static void note_modes(TinkerContactChange *change, const TinkerContactLaws *law
         at->contact.base_normal = laws->answers[2 * i];
         at->contact.base_friction = laws->answers[2 * i + 1];
         const double acts = mass * scale + (at->row >= 0 ? acts_along(change->model, at->row) : 0);
-        if (lets_go(change, at, laws->answers[2 * i], acts)) at->contact.mode = TINKER_CONTACT_OPEN;
+        if (lets_go(change, i, laws->answers[2 * i], acts)) at->contact.mode = TINKER_CONTACT_OPEN;
     }
 }
 

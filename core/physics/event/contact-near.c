@@ -111,7 +111,8 @@ static void find_near_gaps(TinkerContactRun *self, int32_t body, const double *q
         if (!pair_may_touch(contacts, pair, q_from, q_to, travel)) continue;
         for (int32_t k = pair->first; k < pair->first + pair->count; k++) {
             const TinkerContactPair each = {body, k, -1};
-            if (!is_closed(contacts, body, k, next) && is_of_interest(self, &each, travel))
+            if (!is_closed(contacts, body, k, next) && !tinker_contact_run_is_across(self, body, k) &&
+                is_of_interest(self, &each, travel))
                 g_array_append_val(self->near, each);
         }
     }

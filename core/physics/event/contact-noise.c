@@ -53,6 +53,19 @@ gboolean tinker_contact_run_is_before(const TinkerContactRun *self, const Tinker
     return value >= -(shapes ? fmax(TINKER_TOUCHING, closed) : closed);
 }
 
+gboolean tinker_contact_run_is_across(const TinkerContactRun *self, int32_t body, int32_t plate)
+{
+    const TinkerContacts *contacts = self->contacts;
+    const TinkerGapFunction *gap = contacts->plates[plate].gap;
+    if (gap == NULL || gap->reverse == 0) return FALSE;
+    const TinkerContactPair facing = {body, plate + gap->reverse, -1};
+    for (guint i = 0; i < self->struck->len; i++)
+        if (g_array_index(self->struck, int32_t, i) == facing.plate) return TRUE;
+    for (guint i = 0; i < contacts->closed->len; i++)
+        if (tinker_contacts_closed(contacts, i)->plate == facing.plate) return TRUE;
+    return tinker_contact_run_leaves(self, &facing);
+}
+
 gboolean tinker_contact_run_leaves(const TinkerContactRun *self, const TinkerContactPair *sought)
 {
     for (guint i = 0; i < self->leaving->len; i++) {

@@ -108,6 +108,7 @@ struct _TinkerContactRun {
      * the second or third power of time, less than the error of a method of low order, or than rounding: what tells
      * whether they part is the acceleration. */
     GArray *leaving;
+    GArray *struck;    /* of int32_t: sides of lines that corners were thrown back from, not clear of them yet */
     GArray *turns;     /* of contacts that change by turns (contact-turns.c) */
     double closed_gap; /* m: that of the step that is searched; NAN: not asked for yet */
     GArray *triggers;  /* of TinkerTrigger: those of the step */
@@ -232,6 +233,10 @@ double tinker_contact_run_unclear_speed(const TinkerContactRun *contact_run);
 
 /* Whether the pair has just opened. */
 gboolean tinker_contact_run_leaves(const TinkerContactRun *contact_run, const TinkerContactPair *pair);
+
+/* Whether it is the side of a line that a corner cannot come to, since it touches the other side or has just left that:
+ * its place alone, on the line but for rounding, does not tell. */
+gboolean tinker_contact_run_is_across(const TinkerContactRun *contact_run, int32_t body, int32_t plate);
 
 /* Contacts that change by turns: (transfer full) none at first; notes a change by a force, an acceleration or a speed;
  * whether one has done so more often than a motion does. */

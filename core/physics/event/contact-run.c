@@ -40,6 +40,7 @@ static void allot(TinkerContactRun *self)
     guint pairs = MIN(MOST_EXPECTED, (guint)(self->model->bodies * (gint64)self->contacts->plate_count));
     self->near = g_array_sized_new(FALSE, FALSE, sizeof(TinkerContactPair), pairs);
     self->leaving = g_array_sized_new(FALSE, FALSE, sizeof(TinkerContactPair), pairs);
+    self->struck = g_array_new(FALSE, FALSE, sizeof(int32_t));
     self->turns = tinker_contact_turns_new();
     self->triggers = g_array_sized_new(FALSE, FALSE, sizeof(TinkerTrigger), 2 * pairs);
     self->falling = g_array_sized_new(FALSE, FALSE, sizeof(guint), 2 * pairs);
@@ -93,6 +94,7 @@ void tinker_contact_run_free(TinkerContactRun *self)
     tinker_contact_flight_clear(&self->flight);
     g_array_unref(self->near);
     g_array_unref(self->leaving);
+    g_array_unref(self->struck);
     g_array_unref(self->turns);
     g_array_unref(self->triggers);
     g_array_unref(self->falling);
@@ -300,6 +302,18 @@ static void prune_separating(TinkerContactRun *self)
     }
 }
 
+/* Forgets sides of lines that corners are clear of, whichever way. */
+static void prune_struck(TinkerContactRun *self)
+{
+    const TinkerIslandRun *run = self->run;
+    if (tinker_model_set_time(self->model, run->state.t) != TINKER_OK) return;
+    tinker_model_set_state(self->model, run->q, run->v);
+    const double touching = tinker_contact_run_touching(self);
+    for (guint i = self->struck->len; i-- > 0;)
+        if (fabs(tinker_contact_gap_alone(self->contacts, g_array_index(self->struck, int32_t, i))) > touching)
+            g_array_remove_index_fast(self->struck, i);
+}
+
 /* Contacts that slip clearly by now are watched by their speed. */
 static void note_slipping(TinkerContactRun *self)
 {
@@ -343,6 +357,7 @@ TinkerStatus tinker_contact_run_begin(TinkerContactRun *self, double *limit)
     TinkerStatus status = tinker_contact_run_watch_overlaps(self);
     if (status != TINKER_OK) return status;
     if (self->leaving->len > 0) prune_separating(self);
+    if (self->struck->len > 0) prune_struck(self);
     if (self->starts_low) note_slipping(self);
     if (self->in_plane && tinker_contact_flight_is_free(self)) leave_plane(self);
     self->limit = tinker_contact_run_step_limit(self, *limit);

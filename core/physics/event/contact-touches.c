@@ -1,4 +1,5 @@
 /* What touches at an event, where it is, and how it answers to pushes. */
+#include <glib/gi18n-lib.h>
 #include <math.h>
 #include <string.h>
 
@@ -77,10 +78,28 @@ gboolean tinker_change_refuse(TinkerContactChange *change, const char *why, GErr
     return tinker_island_run_fail_step(change->run->run, why, error);
 }
 
+/* The first that touches what moves as prescribed; -1: none does. */
+static int32_t body_on_moving(const TinkerContactChange *change)
+{
+    for (guint i = 0; i < change->touches->len; i++)
+        if (tinker_touch(change, i)->row < 0 && tinker_touch_plate(change, i)->moving)
+            return tinker_touch(change, i)->contact.body;
+    return -1;
+}
+
 gboolean tinker_change_refuse_laws(TinkerContactChange *change, TinkerContactResult result, const char *why,
                                    GError **error)
 {
-    if (result != TINKER_CONTACT_NO_MEMORY) return tinker_change_refuse(change, why, error);
+    const TinkerModel *model = change->model;
+    const int32_t body = body_on_moving(change);
+    if (result != TINKER_CONTACT_NO_MEMORY && body < 0) return tinker_change_refuse(change, why, error);
+    if (result != TINKER_CONTACT_NO_MEMORY) {
+        g_autofree char *wedged =
+            g_strdup_printf(_("%s is wedged: what closes on it moves as it is told, and friction lets it go nowhere "
+                              "(make it smoother, or give the motion a way that leaves it room)"),
+                            tinker_scene_block_name(model->scene, model->body_blocks[body]));
+        return tinker_change_refuse(change, wedged, error);
+    }
     tinker_contacts_lack_memory(change->contacts, change->touches->len);
     return tinker_change_refuse(change, change->model->failure, error);
 }
@@ -126,6 +145,12 @@ void tinker_change_measure(TinkerContactChange *change)
 {
     for (guint i = 0; i < change->touches->len; i++)
         tinker_touch(change, i)->place = place_of(change, tinker_touch(change, i));
+}
+
+double tinker_change_speed_scale(const TinkerContactChange *change, const TinkerTouch *at)
+{
+    const double *g = change->model->constant_acceleration + 2 * at->contact.body;
+    return fmax(change->speed, sqrt(hypot(g[0], g[1]) * change->contacts->thickness));
 }
 
 gboolean tinker_change_approaches(const TinkerContactChange *change, const TinkerContactPair *pair)
@@ -198,6 +223,7 @@ static void take_open(TinkerContactChange *change, double tolerance)
         const TinkerContactPair *pair = &g_array_index(self->near, TinkerContactPair, i);
         if (self->together[pair->body] != change->group) continue;
         TinkerTouch taken = {.contact = {.body = pair->body, .plate = pair->plate}, .row = -1};
+        if (tinker_contact_run_is_across(self, pair->body, pair->plate)) continue;
         taken.place = place_of(change, &taken);
         gboolean guided = tinker_contacts_is_guided(self->contacts, pair->body, pair->plate);
         double near = guided ? fmax(tolerance, 2 * TINKER_TOUCHING) : tolerance;

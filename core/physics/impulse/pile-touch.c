@@ -35,6 +35,26 @@ static void stand_off(const TinkerPile *pile, const TinkerPileNear *near, double
         (TinkerManifoldPoint){gap, {body->place[0] - stands * n[0], body->place[1] - stands * n[1]}, 0};
 }
 
+static gboolean is_thin(const TinkerPlacedShape *shape)
+{
+    return shape->kind == TINKER_OUTLINE_POLYGON && shape->count <= 2;
+}
+
+/* A point on a line, or a line on another, is on neither side of it but for rounding: it stays on the side where it
+ * was, until it is past an end. */
+static void keep_side(const TinkerPile *pile, TinkerPileNear *near, TinkerManifold *manifold)
+{
+    if (!is_thin(&pile->shape[near->first]) || !is_thin(&pile->shape[near->second])) return;
+    double *n = manifold->normal, *was = near->side;
+    const gboolean over = manifold->count > 0, turned = n[0] * was[0] + n[1] * was[1] < 0;
+    for (int k = 0; over && turned && k < 2; k++)
+        n[k] = -n[k];
+    for (int32_t k = 0; over && turned && k < manifold->count; k++)
+        manifold->points[k].gap = -manifold->points[k].gap;
+    for (int k = 0; k < 2; k++)
+        was[k] = over ? n[k] : 0;
+}
+
 /* Whether a pair goes through one another now. A body meets a top when it comes from above: not past an end, from
  * below, or from within. */
 static gboolean goes_through(const TinkerPile *pile, TinkerPileNear *near, const TinkerManifold *manifold, double h)
@@ -183,6 +203,7 @@ void tinker_pile_find_touches(TinkerPile *pile, double h)
             stand_off(pile, near, reach, &manifold);
         else
             tinker_manifold_find(&pile->shape[near->first], &pile->shape[near->second], reach, &manifold);
+        keep_side(pile, near, &manifold);
         if (goes_through(pile, near, &manifold, h) || manifold.count == 0) {
             near->count = 0;
             continue;

@@ -73,6 +73,7 @@ typedef struct {
     TinkerSurface surface;
     gboolean passes; /* bodies that overlap since the start */
     gboolean above;  /* of a top: the first came from above */
+    double side[2];  /* of a line and what has no inside either: the normal that they had last; (0, 0): none */
     int32_t count;
     TinkerPileKept kept[2];
 } TinkerPileNear;

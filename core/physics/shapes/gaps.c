@@ -122,6 +122,7 @@ static void add_edges(List *list, const TinkerOutline *tips, const TinkerOutline
         if (tips->kind == TINKER_OUTLINE_TOP) edge_normal(tips, 0, function.above);
         for (int32_t k = 0; k < edges_of(seats); k++) {
             seat_edge(&function, seats, k);
+            function.reverse = !disc && edges_of(seats) == 2 ? 1 - 2 * k : 0;
             add(list, &function);
         }
     }

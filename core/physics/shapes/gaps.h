@@ -64,6 +64,7 @@ typedef struct {
     double half_width;           /* m; INFINITY: all around */
     double sides[2][2];          /* of a corner: the directions of its edges; (0, 0): none */
     double above[2];             /* the end of a top meets what comes from there alone; (0, 0): no end of a top */
+    int32_t reverse; /* of a corner over a line: so much farther on in the list it is over the other side; else 0 */
 } TinkerGapFunction;
 
 typedef struct {
