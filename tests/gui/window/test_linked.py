@@ -109,8 +109,15 @@ def scan(app, watched, box, wanted):
 def test_rows_of_the_diagram_light_their_terms(display):
     with App(display, sliding()) as app:
         app.click_block("Bob")
+        app.click("Equations", role="tab")
+        diagram = app.find("image", "Free-body diagram")
+        top = app.settled(diagram)[1]
+        app.xdotool("mousemove", *app.middle(app.find("image", NORMAL)))
+        app.xdotool("click", "5")  # so that its rows are seen, and the terms, too
+        wait(lambda: app.box(diagram)[1] < top - 30, "the page to scroll")
+        app.settled(diagram)
         watched = watch_terms(app)
-        box = app.box(app.find("image", "Free-body diagram"))
+        box = app.box(diagram)
         for name in ("weight", "normal", "friction"):
             scan(app, watched, (box[0], box[1] + box[3] // 2, box[2], box[3] // 2), {name})
 
