@@ -148,8 +148,28 @@ static void test_never_ends(void)
     g_assert_true(tinker_background_wait(60));
 }
 
+static gboolean draw_on(gpointer data)
+{
+    ++*(guint *)data;
+    return G_SOURCE_CONTINUE;
+}
+
+/* What draws frame after frame without a pause, as a window does on a slow machine, does not keep a result away. */
+static void test_frames_do_not_keep_it_away(void)
+{
+    g_autoptr(TinkerDocument) document = open_scene("spring-mass.tinker.json");
+    g_autoptr(TinkerPlanTask) task = tinker_plan_task_new(document);
+    guint frames = 0;
+    const guint source = g_idle_add_full(G_PRIORITY_HIGH_IDLE + 20, draw_on, &frames, NULL);
+    const TinkerPlanResult *result = wait_for_plan(task);
+    g_source_remove(source);
+    g_assert_nonnull(result);
+    g_assert_cmpuint(frames, >, 0);
+}
+
 static void add_tests(void)
 {
+    g_test_add_func("/plan-task/frames-do-not-keep-it-away", test_frames_do_not_keep_it_away);
     g_test_add_func("/plan-task/warning-and-cure", test_warning_and_cure);
     g_test_add_func("/plan-task/superseded", test_superseded);
     g_test_add_func("/plan-task/refused", test_refused);

@@ -57,6 +57,9 @@ static gboolean tell(void *data)
     return G_SOURCE_REMOVE;
 }
 
+/* Before frames are drawn, else a window whose frames take longer than they have would never come to it. */
+#define TELL_PRIORITY G_PRIORITY_HIGH_IDLE
+
 static gpointer run(gpointer data)
 {
     TinkerBackground *background = data;
@@ -67,7 +70,7 @@ static gpointer run(gpointer data)
     if (g_atomic_int_get(&background->let_go))
         unref(background);
     else
-        g_idle_add_full(G_PRIORITY_DEFAULT_IDLE, tell, background, unref);
+        g_idle_add_full(TELL_PRIORITY, tell, background, unref);
     tinker_background_leave();
     return NULL;
 }

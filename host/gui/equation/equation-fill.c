@@ -1,6 +1,7 @@
 #include "gui/equation/equation-fill.h"
 
 #define SLICE_US 8000 /* of making rows; half a frame at 60 Hz */
+#define PAUSE    5    /* ms: between slices, for events and frames */
 
 struct TinkerEquationFill {
     TinkerDocument *document;
@@ -45,8 +46,8 @@ void tinker_equation_fill_start(TinkerEquationFill *fill, GtkWidget *rows, GtkWi
     fill->shown = shown;
     fill->spoken = spoken;
     fill->next = 0;
-    /* Behind frames: what there is by then is drawn first. */
-    if (fill_slice(fill)) fill->source = g_idle_add(fill_slice, fill);
+    /* Not behind frames: where these take all of the time, an idle source would never come. */
+    if (fill_slice(fill)) fill->source = g_timeout_add(PAUSE, fill_slice, fill);
 }
 
 gboolean tinker_equation_fill_is_going(const TinkerEquationFill *fill)

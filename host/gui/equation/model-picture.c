@@ -6,7 +6,7 @@
 #include "common/diagram/diagram-picture.h"
 #include "gui/widget/desktop-theme.h"
 
-#define DIAGRAM_HEIGHT 420
+#define DIAGRAM_HEIGHT 380
 #define BOOKS_HEIGHT   840
 
 #define REACH 5.0 /* widget units: how near to an arrow is at it */

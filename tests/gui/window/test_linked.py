@@ -13,7 +13,8 @@ NOWHERE = 3, 2.5  # m: on the canvas, away from all
 
 
 def sliding(**more):
-    """Friction, 8 N to the left, and the normal force, 20 N upwards, start at (0, -0.2); the weight at (0, 0.2)."""
+    """Friction, 8 N to the left, starts at (0, -0.2), where the normal force, 20 N upwards, ends; the weight starts at (0, 0.2), and
+    so that they do not lie on each other the normal force stands a little, 0.1 m, to the right."""
     return scene(GRAVITY, support("Floor", 0, -0.5, width=10, height=0.6, static_friction=0.5, dynamic_friction=0.4),
                  mass("Bob", 0, 0.2, mass=2, velocity=[3, 0]), **more)
 
@@ -53,7 +54,7 @@ def test_arrow_on_the_canvas_lights_its_term(display):
     with App(display, sliding()) as app:
         app.activate("show-forces")
         watched = watch_terms(app)
-        for place, name in (((-0.2, -0.2), "friction"), ((0, 0.4), "normal"), ((0, -0.35), "weight")):
+        for place, name in (((-0.2, -0.2), "friction"), ((0.1, -0.9), "normal"), ((0, 0), "weight")):
             app.xdotool("mousemove", *app.at(*place))
             watched.wait_lit(name)
         app.xdotool("mousemove", *app.at(*NOWHERE))
@@ -80,7 +81,7 @@ def test_term_lights_its_own_arrow(display):
         app.show_width()
         app.click("Equations", role="tab")
         terms = {name: app.middle(app.find("image", name)) for name in (FRICTION, NORMAL)}
-        watched = Watched(app, normal=app.area(-0.04, 0.35, 0.04, 0.5))
+        watched = Watched(app, normal=app.area(0.06, -0.95, 0.14, -0.86))
         app.xdotool("mousemove", *terms[FRICTION])
         watched.wait_lit("normal")
         app.xdotool("mousemove", *terms[NORMAL])
@@ -108,8 +109,15 @@ def scan(app, watched, box, wanted):
 def test_rows_of_the_diagram_light_their_terms(display):
     with App(display, sliding()) as app:
         app.click_block("Bob")
+        app.click("Equations", role="tab")
+        diagram = app.find("image", "Free-body diagram")
+        top = app.settled(diagram)[1]
+        app.xdotool("mousemove", *app.middle(app.find("image", NORMAL)))
+        app.xdotool("click", "5")  # so that its rows are seen, and the terms, too
+        wait(lambda: app.box(diagram)[1] < top - 30, "the page to scroll")
+        app.settled(diagram)
         watched = watch_terms(app)
-        box = app.box(app.find("image", "Free-body diagram"))
+        box = app.box(diagram)
         for name in ("weight", "normal", "friction"):
             scan(app, watched, (box[0], box[1] + box[3] // 2, box[2], box[3] // 2), {name})
 
@@ -144,7 +152,7 @@ def test_keys_go_through_the_diagram(display):
 
 
 def test_books_light_the_arrows_of_a_block(display):
-    """Others are faded. The normal force, 20 N, starts at (0, -0.2), the weight at (0, 0.2)."""
+    """Others are faded. The normal force, 20 N, ends at (0.1, -0.2), the weight starts at (0, 0.2)."""
     content = scene(GRAVITY, support("Floor", 0, -0.5, width=10, height=0.6), mass("Bob", 0, 0.2, mass=2), duration=0.1)
     with App(display, content) as app:
         app.activate("show-forces")
@@ -155,7 +163,7 @@ def test_books_light_the_arrows_of_a_block(display):
         app.click("Equations", role="tab")
         books = app.find("image", "Work and energy, impulse and momentum")
         app.bring_into_view(books)
-        watched = Watched(app, normal=app.area(-0.04, 0.35, 0.04, 0.5), weight=app.area(-0.04, -0.55, 0.04, -0.45))
+        watched = Watched(app, normal=app.area(0.06, -0.95, 0.14, -0.86), weight=app.area(-0.04, -0.55, 0.04, -0.45))
         for faded in ("normal", "weight"):
             scan(app, watched, seen(app, books), {faded})
 
