@@ -7,8 +7,10 @@
 
 typedef struct TinkerEquationFill TinkerEquationFill;
 
+typedef void (*TinkerFilledFunc)(gpointer data);
+
 /* `done` is called when all lines of a start are shown, at once where they are few. (transfer full) */
-TinkerEquationFill *tinker_equation_fill_new(TinkerDocument *document, GSourceFunc done, gpointer data);
+TinkerEquationFill *tinker_equation_fill_new(TinkerDocument *document, TinkerFilledFunc done, gpointer data);
 
 /* Adds these lines, as they are shown and as they are read out, the first `row_count` to `rows` and the others to
  * `rest`. The boxes outlive it, or it is stopped before. Takes the arrays over. */

@@ -81,6 +81,8 @@ static GPtrArray *lines_of(TinkerEquationsPage *page, const TinkerModelResult *r
                                   form == ANGLES ? result->angles : NULL, &shown);
 }
 
+static void on_task_changed(TinkerEquationsPage *page);
+
 static void update_values(TinkerEquationsPage *page)
 {
     const TinkerModelResult *result = tinker_model_task_result(page->task);
@@ -111,10 +113,13 @@ static guint count_rows(TinkerEquationsPage *page, const GPtrArray *lines)
     return lines->len;
 }
 
-static gboolean on_filled(gpointer page)
+static void on_filled(gpointer data)
 {
-    update_values(page);
-    return G_SOURCE_REMOVE;
+    TinkerEquationsPage *page = data;
+    if (page->is_behind && !is_playing(page))
+        on_task_changed(page);
+    else
+        update_values(page);
 }
 
 /* Rows are made anew where the equations have become others, and what stands below them; while it plays values alone
@@ -123,9 +128,10 @@ static void show_rows(TinkerEquationsPage *page, const TinkerModelResult *result
 {
     g_autoptr(GPtrArray) shown = lines_of(page, result, TINKER_TYPESET_MATHML);
     g_autofree char *written = tinker_equation_lines_written(shown);
-    const gboolean same = page->why_newton == NULL && g_strcmp0(written, page->written) == 0 &&
-                          !tinker_equation_fill_is_going(page->fill);
-    page->is_behind = same && is_playing(page);
+    const gboolean same = page->why_newton == NULL && g_strcmp0(written, page->written) == 0;
+    const gboolean fills = tinker_equation_fill_is_going(page->fill);
+    page->is_behind = same && (is_playing(page) || fills);
+    if (same && fills) return; /* else none that plays would ever be full */
     guint row_count = count_rows(page, shown);
     if (page->is_behind) {
         tinker_equation_list_update(page->rows, shown, 0, row_count);
@@ -369,11 +375,11 @@ GtkWidget *tinker_equations_page_new(TinkerDocument *document, TinkerPlayer *pla
 static void tinker_equations_page_dispose(GObject *object)
 {
     TinkerEquationsPage *page = TINKER_EQUATIONS_PAGE(object);
+    g_clear_pointer(&page->fill, tinker_equation_fill_free); /* which adds to the rows */
     if (page->rows != NULL) tinker_unparent_children(GTK_WIDGET(object));
     page->rows = NULL;
     g_clear_pointer(&page->why_newton, g_free);
     g_clear_pointer(&page->written, g_free);
-    g_clear_pointer(&page->fill, tinker_equation_fill_free);
     g_clear_object(&page->task);
     g_clear_object(&page->player);
     g_clear_object(&page->document);
