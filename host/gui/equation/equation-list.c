@@ -68,7 +68,7 @@ static gboolean is_seen(GtkWidget *child)
 
 static void set_text(GtkWidget *label, const char *text)
 {
-    if (strcmp(gtk_label_get_text(GTK_LABEL(label)), text) != 0) gtk_label_set_text(GTK_LABEL(label), text);
+    if (g_strcmp0(gtk_label_get_text(GTK_LABEL(label)), text) != 0) gtk_label_set_text(GTK_LABEL(label), text);
 }
 
 void tinker_equation_list_update(GtkWidget *box, const GPtrArray *lines, guint first, guint end)
@@ -97,11 +97,18 @@ void tinker_equation_list_show_values(GtkWidget *box, const TinkerModelState *st
         if (TINKER_IS_EQUATION_ROW(row)) tinker_equation_row_show_values(TINKER_EQUATION_ROW(row), state, units, tell);
 }
 
-static void append_terms(GString *text, const GArray *terms)
+/* A block by its name, too, which tips and readings have. */
+static void append_part(GString *text, const TinkerScene *scene, TinkerBlockId block, const char *written)
+{
+    const char *name = tinker_scene_has_block(scene, block) ? tinker_scene_block_name(scene, block) : "";
+    g_string_append_printf(text, "%d %s %s\n", block, name, written);
+}
+
+static void append_terms(GString *text, const TinkerScene *scene, const GArray *terms)
 {
     for (guint i = 0; i < terms->len; i++) {
         const TinkerLineTerm *term = &g_array_index(terms, TinkerLineTerm, i);
-        g_string_append_printf(text, "%d %s", term->block, term->text);
+        append_part(text, scene, term->block, term->text);
     }
 }
 
@@ -127,17 +134,17 @@ void tinker_equation_list_show_line_values(GtkWidget *box, const GPtrArray *line
     }
 }
 
-char *tinker_equation_lines_written(const GPtrArray *lines)
+char *tinker_equation_lines_written(const GPtrArray *lines, const TinkerScene *scene)
 {
     GString *text = g_string_new(NULL);
     for (guint i = 0; i < lines->len; i++) {
         const TinkerEquationLine *line = g_ptr_array_index(lines, i);
         if (line->heading != NULL || is_value(line)) continue;
-        g_string_append_printf(text, "%d %s", line->block, line->left);
-        if (line->left_terms != NULL) append_terms(text, line->left_terms);
+        append_part(text, scene, line->block, line->left);
+        if (line->left_terms != NULL) append_terms(text, scene, line->left_terms);
         for (guint k = 0; line->matrix != NULL && k < line->matrix->cells->len; k++)
-            append_terms(text, g_ptr_array_index(line->matrix->cells, k));
-        append_terms(text, line->terms);
+            append_terms(text, scene, g_ptr_array_index(line->matrix->cells, k));
+        append_terms(text, scene, line->terms);
     }
     return g_string_free(text, FALSE);
 }

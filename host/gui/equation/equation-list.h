@@ -19,9 +19,9 @@ void tinker_equation_list_add(GtkWidget *box, TinkerDocument *document, const Ti
 void tinker_equation_list_show_values(GtkWidget *box, const TinkerModelState *state, TinkerUnitSystem units,
                                       gboolean tell);
 
-/* All equations and the blocks in them as one text, without the values below them: of another text they are others.
- * (transfer full) */
-char *tinker_equation_lines_written(const GPtrArray *lines);
+/* All equations of a scene, and the blocks in them, as one text, without the values below them: of another text they
+ * are others. (transfer full) */
+char *tinker_equation_lines_written(const GPtrArray *lines, const TinkerScene *scene);
 
 /* The values of terms that have them, of lines as they are now; NULL: none are shown. */
 void tinker_equation_list_show_line_values(GtkWidget *box, const GPtrArray *lines, TinkerUnitSystem units,

@@ -243,7 +243,8 @@ GtkWidget *tinker_equation_term_new(TinkerDocument *document, TinkerPointed what
 {
     TinkerEquationTerm *term = g_object_new(TINKER_TYPE_EQUATION_TERM, NULL);
     TinkerScene *scene = tinker_document_scene(document);
-    const char *name = what.block != TINKER_NO_BLOCK ? tinker_scene_block_name(scene, what.block) : NULL;
+    /* an edit may have taken it away since the equations were written */
+    const char *name = tinker_scene_has_block(scene, what.block) ? tinker_scene_block_name(scene, what.block) : NULL;
     g_autofree char *label = name != NULL ? g_strdup_printf("%s: %s", name, spoken) : g_strdup(spoken);
     term->document = g_object_ref(document);
     term->what = what;

@@ -33,7 +33,7 @@ struct _TinkerEquationsPage {
     gboolean is_chosen;     /* the form, in this scene */
     gboolean is_leaving;    /* the form, which has no equations */
     char *why_newton;       /* in place of another form; NULL: they were asked for */
-    GtkWidget *forms, *values, *moment, *hint, *diagram_heading, *diagram, *books_heading, *books;
+    GtkWidget *forms, *values, *moment, *notice, *hint, *diagram_heading, *diagram, *books_heading, *books;
 };
 
 G_DEFINE_FINAL_TYPE(TinkerEquationsPage, tinker_equations_page, GTK_TYPE_WIDGET)
@@ -95,6 +95,13 @@ static void update_values(TinkerEquationsPage *page)
     tinker_equation_list_show_line_values(page->rows, lines, units, tell);
 }
 
+/* Above the rows: why there are no others, or none. NULL: nothing is to be said. */
+static void show_notice(TinkerEquationsPage *page, const char *text)
+{
+    gtk_label_set_text(GTK_LABEL(page->notice), text != NULL ? text : "");
+    gtk_widget_set_visible(page->notice, text != NULL);
+}
+
 static void clear_rows(TinkerEquationsPage *page)
 {
     tinker_equation_fill_stop(page->fill);
@@ -127,7 +134,7 @@ static void on_filled(gpointer data)
 static void show_rows(TinkerEquationsPage *page, const TinkerModelResult *result)
 {
     g_autoptr(GPtrArray) shown = lines_of(page, result, TINKER_TYPESET_MATHML);
-    g_autofree char *written = tinker_equation_lines_written(shown);
+    g_autofree char *written = tinker_equation_lines_written(shown, result->scene);
     const gboolean same = page->why_newton == NULL && g_strcmp0(written, page->written) == 0;
     const gboolean fills = tinker_equation_fill_is_going(page->fill);
     page->is_behind = same && (is_playing(page) || fills);
@@ -139,7 +146,8 @@ static void show_rows(TinkerEquationsPage *page, const TinkerModelResult *result
         return;
     }
     g_autoptr(GPtrArray) spoken = lines_of(page, result, TINKER_TYPESET_SPEECH);
-    if (same) {
+    /* Elsewhere numbers stand among the equations. */
+    if (same && form_of(page) == NEWTON) {
         g_ptr_array_remove_range(shown, 0, row_count);
         g_ptr_array_remove_range(spoken, 0, row_count);
         row_count = 0;
@@ -147,10 +155,10 @@ static void show_rows(TinkerEquationsPage *page, const TinkerModelResult *result
     } else {
         clear_rows(page);
         page->written = g_steal_pointer(&written);
-        if (page->why_newton != NULL) tinker_equation_list_add_text(page->rows, page->why_newton, "dim-label");
+        show_notice(page, page->why_newton != NULL ? page->why_newton
+                          : shown->len == 0        ? _("Nothing in this scene can move.")
+                                                   : NULL);
         g_clear_pointer(&page->why_newton, g_free);
-        if (shown->len == 0)
-            tinker_equation_list_add_text(page->rows, _("Nothing in this scene can move."), "dim-label");
     }
     tinker_equation_fill_start(page->fill, page->rows, page->rest, row_count, g_steal_pointer(&shown),
                                g_steal_pointer(&spoken));
@@ -221,11 +229,12 @@ static void on_task_changed(TinkerEquationsPage *page)
         update_values(page);
     } else {
         clear_rows(page);
+        show_notice(page, NULL);
         gtk_label_set_text(GTK_LABEL(page->moment), "");
     }
     if (result != NULL && result->equations == NULL && result->error != NULL) {
         g_autofree char *text = tinker_sentence_in(tinker_document_scene(page->document), result->error->message);
-        tinker_equation_list_add_text(page->rows, text, "dim-label");
+        show_notice(page, text);
     }
     show_pictures(page, result);
 }
@@ -404,6 +413,9 @@ static void tinker_equations_page_init(TinkerEquationsPage *page)
     gtk_orientable_set_orientation(GTK_ORIENTABLE(layout), GTK_ORIENTATION_VERTICAL);
     gtk_box_layout_set_spacing(GTK_BOX_LAYOUT(layout), 8);
     add_tools(page);
+    page->notice = tinker_equation_label(NULL, "dim-label");
+    gtk_widget_set_visible(page->notice, FALSE);
+    gtk_widget_set_parent(page->notice, GTK_WIDGET(page));
     page->rows = gtk_box_new(GTK_ORIENTATION_VERTICAL, 4);
     gtk_widget_set_parent(page->rows, GTK_WIDGET(page));
     gtk_accessible_update_property(GTK_ACCESSIBLE(page), GTK_ACCESSIBLE_PROPERTY_LABEL, _("Equations"), -1);

@@ -333,6 +333,57 @@ def test_list_of_values_follows_while_it_plays(display):
         check(listed() <= app.time(), "no moment is shown before it has come")
 
 
+def row_of_masses(count):
+    """Springs hold them in a row."""
+    names = [f"M{i}" for i in range(count)]
+    blocks = [support("Wall", 0, 0, solid=False)]
+    blocks += [mass(name, 1 + i, 0, mass=2) for i, name in enumerate(names)]
+    blocks += [spring(f"S{i}", before, name, stiffness=25, rest_length=0.9)
+               for i, (before, name) in enumerate(zip(["Wall"] + names, names))]
+    return scene(*blocks, width=count + 2)
+
+
+def test_a_form_that_was_refused_plays(display):
+    with App(display, row_of_masses(2)) as app:
+        app.show_width()
+        app.click("Equations", role="tab")
+        app.choose_from(app.find("combo box", "Form of Equations"), "Angles")
+        app.find_text("These are Newton's")
+        app.click("Play")
+        wait(lambda: app.time() > 1, "a second of it")
+        app.find_text("These are Newton's")
+
+
+def test_blocks_go_while_their_rows_are_added(display):
+    with App(display, row_of_masses(25)) as app:
+        app.show_width()
+        app.click("Equations", role="tab")
+        for _ in range(6):
+            app.find("image", re.compile("^M0: "))
+            app.activate("select-all")
+            app.activate("delete")
+            app.activate("undo")
+        app.find("image", re.compile("^M24: "))
+
+
+def test_numbers_among_matrices_are_of_the_moment(display):
+    with App(display, row_of_masses(2)) as app:
+        app.show_width()
+        app.click("Equations", role="tab")
+        app.choose_from(app.find("combo box", "Form of Equations"), "Matrix")
+        app.find("image", "K equals")
+        app.click("Play")
+        wait(lambda: app.time() > 1, "a second of it")
+        app.click("Pause")
+        app.seek(0.05)
+
+        def told():
+            label = app.look("label", re.compile("^at t = "))
+            return label is not None and abs(float(label.name.split()[3]) - app.time()) < 0.01
+
+        wait(told, "the values of the moment that is shown")
+
+
 def test_pattern_of_many_coordinates(display):
     """Twelve masses in a chain with one end free: 2 k on the diagonal but for the last, -k beside it."""
     masses = [mass(f"M{i}", i + 1, 0) for i in range(12)]
