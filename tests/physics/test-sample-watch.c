@@ -36,11 +36,11 @@ static PhysicsRun *run_at(const char *method, double interval, const char *block
     return physics_run(&options, "%s", blocks);
 }
 
-/* Of a swing once a second an interval that has 8 to 50 samples to a period. */
+/* Of a swing once a second an interval that has 14 to 33 samples to a period. */
 static void assert_asked(double interval)
 {
-    g_assert_cmpfloat(interval, >=, 0.02);
-    g_assert_cmpfloat(interval, <=, 0.125);
+    g_assert_cmpfloat(interval, >=, 0.03);
+    g_assert_cmpfloat(interval, <=, 0.07);
 }
 
 static void test_swings(void)
@@ -55,6 +55,22 @@ static void test_swings(void)
             g_autoptr(PhysicsRun) run = run_at(methods[m], short_enough[i], SWING);
             g_assert_cmpfloat(asked(run, "Fast"), ==, 0);
         }
+    }
+}
+
+/* At whole periods all samples are of one phase. */
+static void test_phases(void)
+{
+    for (int i = 0; i < 8; i++) {
+        const double phase = i * G_PI / 4;
+        const PhysicsOptions options = {.interval = 1, .duration = SAMPLES, .tolerance = 1e-9};
+        g_autoptr(PhysicsRun) run =
+            physics_run(&options,
+                        "{'type': 'support', 'name': 'Wall', 'solid': false},"
+                        "{'type': 'mass', 'name': 'Fast', 'position': [%.17g, 0], 'velocity': [%.17g, 0]},"
+                        "{'type': 'spring', 'ends': ['Wall', 'Fast'], 'stiffness': " STIFFNESS ", 'rest_length': 1}",
+                        1 + 0.2 * cos(phase), 0.2 * 2 * G_PI * sin(phase));
+        assert_asked(asked(run, "Fast"));
     }
 }
 
@@ -95,8 +111,8 @@ static void test_says_nothing(void)
 {
     static const char *const quiet[] = {
         "{'type': 'gravity'}, {'type': 'mass', 'name': 'Fast', 'velocity': [3, 9]}",
-        "{'type': 'gravity'}, {'type': 'support', 'size': [20, 1]}, {'type': 'mass', 'name': 'Fast', 'position': [0, "
-        "1]}",
+        "{'type': 'gravity'}, {'type': 'support', 'width': 20, 'height': 1, 'restitution': 0.5},"
+        "{'type': 'mass', 'name': 'Fast', 'position': [0, 3], 'restitution': 0.5}",
         "{'type': 'mass', 'name': 'Fast'}",
     };
     static const double at[] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10};
@@ -109,9 +125,23 @@ static void test_says_nothing(void)
     g_assert_cmpfloat(asked(run, "Fast"), ==, 0);
 }
 
+/* A ball that bounces more often than it is recorded. */
+static void test_bounces(void)
+{
+    g_autoptr(PhysicsRun) run = run_at("dopri5", 0.5,
+                                       "{'type': 'gravity'},"
+                                       "{'type': 'support', 'width': 20, 'height': 1, 'restitution': 1},"
+                                       "{'type': 'mass', 'name': 'Fast', 'position': [0, 1.5], 'restitution': 1}");
+    const double interval = asked(run, "Fast");
+    g_assert_cmpfloat(interval, >, 0);
+    g_assert_cmpfloat(interval, <, 0.2);
+}
+
 static void add_tests(void)
 {
     g_test_add_func("/physics/sample-watch/swings", test_swings);
+    g_test_add_func("/physics/sample-watch/phases", test_phases);
+    g_test_add_func("/physics/sample-watch/bounces", test_bounces);
     g_test_add_func("/physics/sample-watch/beside-what-is-slow", test_beside_what_is_slow);
     g_test_add_func("/physics/sample-watch/turning", test_turning);
     g_test_add_func("/physics/sample-watch/says-nothing", test_says_nothing);

@@ -12,15 +12,15 @@
 #define COUNTED       1e-3 /* of the largest range: what moves less is not looked at, */
 #define STILL         1e-6 /* nor what moves less than this share of the scene's scales, */
 #define NOISE         100  /* nor speeds within so many times their rounding */
-#define MARGIN        0.15 /* of the way between two samples, next to either: there the line tells nothing */
+#define MARGIN        0.02 /* of the way between two samples, next to either: nobody looks there */
 
 /* To look costs as much as a sample. */
 #define FIRST_LOOKS 64 /* between all of the first samples; */
 #define LATER_LOOKS 32 /* between one pair of so many later */
 
-/* A swing of angular frequency w is 1.54 times as far from the line, on average of its square, as from the middle, but
- * not faster: its frequency is told 1.24 times too low. With this the interval is a twentieth of the period. */
-#define INTERVAL 0.25
+/* Of a swing of angular frequency w, what its speed is off by scatters w times as much as what its place is off by,
+ * whatever its phase at the samples. With this the interval is a twentieth of the period. */
+#define INTERVAL (G_PI / 10)
 
 enum { PLACE, SPEED, KINDS };
 
@@ -29,7 +29,8 @@ typedef struct {
     double before;         /* at the last sample, where it is to be looked at behind that */
     double least, most;    /* of all that was seen */
     double missed[PLACES]; /* farthest from the line, in descending order */
-    double squares;        /* of distances from the line, added up */
+    double sum, squares;   /* of distances from the line, */
+    gint64 count;          /* and how many */
 } Curve;
 
 struct _TinkerSampleWatch {
@@ -93,7 +94,7 @@ void tinker_sample_watch_expect(TinkerSampleWatch *watch, double t)
     if (!watch->looks) return;
     /* the golden ratio: no period has all looks at one phase */
     const double share = fmod(0.6180339887498949 * (double)watch->taken, 1);
-    watch->aim = watch->from + (2 * MARGIN + (1 - 4 * MARGIN) * share) * (t - watch->from);
+    watch->aim = watch->from + (MARGIN + (1 - 2 * MARGIN) * share) * (t - watch->from);
     keep_last_sample(watch);
 }
 
@@ -145,7 +146,9 @@ static void widen(Curve *curve, double value)
 static void compare(Curve *curve, double value, double off, gboolean counts)
 {
     widen(curve, value);
+    curve->sum += off;
     curve->squares += off * off;
+    curve->count++;
     double missed = counts ? fabs(off) : 0;
     for (int i = 0; i < PLACES; i++) {
         if (!(missed > curve->missed[i])) continue;
@@ -190,6 +193,13 @@ void tinker_sample_watch_take(TinkerSampleWatch *watch)
         take_island(watch, i);
     }
     watch->taken++;
+}
+
+/* Of distances from the line, about their mean. */
+static double variance_of(const Curve *curve)
+{
+    const double count = (double)curve->count, mean = curve->sum / count;
+    return curve->squares / count - mean * mean;
 }
 
 static double range_of(const Curve *curve)
@@ -265,8 +275,8 @@ void tinker_sample_watch_tell(const TinkerSampleWatch *watch, TinkerSummary *sum
     const int32_t worst = find_worst_of_all(watch).curve;
     if (worst < 0) return;
     const int32_t body = worst < 2 * model->bodies ? worst / 2 : tinker_model_moved_by(model, worst);
-    const double squares[] = {watch->curves[PLACE][worst].squares, watch->curves[SPEED][worst].squares};
+    const double place = variance_of(&watch->curves[PLACE][worst]), speed = variance_of(&watch->curves[SPEED][worst]);
+    if (!(place > 0) || !(speed > 0)) return;
     tinker_summary_warn_of_samples(summary, tinker_scene_block_name(model->scene, model->body_blocks[body]),
-                                   watch->runs->times.grid.spacing,
-                                   round_down(INTERVAL * sqrt(squares[PLACE] / squares[SPEED])));
+                                   watch->runs->times.grid.spacing, round_down(INTERVAL * sqrt(place / speed)));
 }

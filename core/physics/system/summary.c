@@ -43,5 +43,6 @@ char *tinker_summary_told_of_samples(const char *warning, double *interval)
     g_autofree char *between = g_strndup(middle, (gsize)(strstr(format, "%.6g") - middle));
     if (bracket == NULL || strstr(warning, between) == NULL) return NULL;
     *interval = g_ascii_strtod(bracket + strcspn(bracket, "0123456789"), NULL);
+    if (!(*interval > 0)) return NULL;
     return g_strchomp(g_strndup(warning, (gsize)(bracket - warning)));
 }
