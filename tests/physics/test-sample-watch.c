@@ -109,12 +109,11 @@ static void test_turning(void)
 /* What is smooth between samples, what rests, what bounces now and then, and what is asked for one by one. */
 static void test_says_nothing(void)
 {
-    static const char *const quiet[] = {
-        "{'type': 'gravity'}, {'type': 'mass', 'name': 'Fast', 'velocity': [3, 9]}",
+    const char *const bounces_now_and_then =
         "{'type': 'gravity'}, {'type': 'support', 'width': 20, 'height': 1, 'restitution': 0.5},"
-        "{'type': 'mass', 'name': 'Fast', 'position': [0, 3], 'restitution': 0.5}",
-        "{'type': 'mass', 'name': 'Fast'}",
-    };
+        "{'type': 'mass', 'name': 'Fast', 'position': [0, 3], 'restitution': 0.5}";
+    const char *const quiet[] = {"{'type': 'gravity'}, {'type': 'mass', 'name': 'Fast', 'velocity': [3, 9]}",
+                                 bounces_now_and_then, "{'type': 'mass', 'name': 'Fast'}"};
     static const double at[] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10};
     for (gsize i = 0; i < G_N_ELEMENTS(quiet); i++) {
         g_autoptr(PhysicsRun) run = run_at("dopri5", 0.5, quiet[i]);
