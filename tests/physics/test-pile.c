@@ -159,6 +159,28 @@ static void test_thin(void)
     }
 }
 
+/* Bars without width that cross at the start go through one another until they have parted, and come free on whichever
+ * side that is: nothing acts on the one that goes down across the other, ever. */
+static void test_thin_passes(void)
+{
+    for (int k = 0; k < 2; k++) {
+        const PhysicsOptions options = impulses(3, 0.01, "Bar 1.vy, Bar 1.y, Bar 1.angular velocity");
+        g_autoptr(PhysicsRun) run = physics_run(
+            &options,
+            "{'type': 'support', 'position': [0, 0], 'solid': false},"
+            "{'type': 'bar', 'length': 4, 'width': 0, 'solid': true, 'position': [0, 0]},"
+            "{'type': 'weld', 'ends': ['Support 0', 'Bar 0']},"
+            "{'type': 'bar', 'length': 1, 'width': 0, 'solid': true, 'position': [0.3, %g], 'orientation': 1.5,"
+            " 'velocity': [0, %g]}",
+            k == 0 ? 0.2 : -0.2, k == 0 ? -0.5 : 0.5);
+        const double way = k == 0 ? -1 : 1;
+        for (gsize i = 0; i < physics_samples(run); i++)
+            physics_assert_near("vy", physics_value(run, i, 0), way * 0.5, 1e-12);
+        physics_assert_near("y", physics_last(run, 1), way * (3 * 0.5 - 0.2), 1e-12);
+        physics_assert_near("turns", physics_last(run, 2), 0, 1e-12);
+    }
+}
+
 /* A box that comes down on a corner and rocks over a rough floor, through some ten impacts: to first order what events,
  * which know the instants of impacts, make of it. */
 static void test_bounces(void)
@@ -350,6 +372,7 @@ static void add_tests(void)
     g_test_add_func("/physics/pile/three-balls", test_three_balls);
     g_test_add_func("/physics/pile/masses", test_masses);
     g_test_add_func("/physics/pile/thin", test_thin);
+    g_test_add_func("/physics/pile/thin-passes", test_thin_passes);
     g_test_add_func("/physics/pile/bounces", test_bounces);
     g_test_add_func("/physics/pile/momentum", test_momentum);
     g_test_add_func("/physics/pile/as-by-events", test_as_by_events);

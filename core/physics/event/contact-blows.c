@@ -335,12 +335,19 @@ static void warn_of_pins(TinkerContactChange *change, const double *impulses)
     }
 }
 
-/* Notes which side of a line is touched where bodies strike, whether that takes an impulse or not. */
+/* Notes, once, which side of a line is touched where bodies strike, whether that takes an impulse or not. A corner is
+ * on one side alone, the one noted first, until it is clear of the line. */
 static void note_side(TinkerContactChange *change, guint number)
 {
     const TinkerTouch *at = tinker_touch(change, number);
     const TinkerGapFunction *gap = at->row < 0 ? tinker_touch_plate(change, number)->gap : NULL;
-    if (gap != NULL && gap->reverse != 0) g_array_append_val(change->run->struck, at->contact.plate);
+    GArray *struck = change->run->struck;
+    if (gap == NULL || gap->reverse == 0) return;
+    for (guint i = 0; i < struck->len; i++) {
+        const int32_t plate = g_array_index(struck, int32_t, i);
+        if (plate == at->contact.plate || plate == at->contact.plate + gap->reverse) return;
+    }
+    g_array_append_val(struck, at->contact.plate);
 }
 
 /* The impact itself; `again`: what is left of it, without any rebound. */

@@ -78,12 +78,35 @@ gboolean tinker_change_refuse(TinkerContactChange *change, const char *why, GErr
     return tinker_island_run_fail_step(change->run->run, why, error);
 }
 
-/* The first that touches what moves as prescribed; -1: none does. */
-static int32_t body_on_moving(const TinkerContactChange *change)
+/* Whether what is touched goes towards the body by a prescribed motion, or is about to. */
+static gboolean closes_as_prescribed(const TinkerContactChange *change, const TinkerTouch *at)
+{
+    const TinkerContacts *contacts = change->contacts;
+    double along[2];
+    if (at->row >= 0 || !contacts->plates[at->contact.plate].moving) return FALSE;
+    tinker_contacts_along(contacts, &at->contact, change->run->run->state.v, along);
+    const double own = at->place.normal_speed - along[0];
+    if (fabs(own) > TINKER_STILL * change->speed) return own < 0;
+    g_autofree double *at_rest = g_new0(double, change->model->coordinates);
+    tinker_contacts_relative_acceleration(contacts, &at->contact, at_rest, along);
+    return along[0] < 0;
+}
+
+static gboolean rubs(const TinkerContactChange *change, int32_t body)
 {
     for (guint i = 0; i < change->touches->len; i++)
-        if (tinker_touch(change, i)->row < 0 && tinker_touch_plate(change, i)->moving)
-            return tinker_touch(change, i)->contact.body;
+        if (tinker_touch(change, i)->contact.body == body && tinker_touch_surface(change, i).static_friction > 0)
+            return TRUE;
+    return FALSE;
+}
+
+/* The first that something closes on by a prescribed motion, and that rubs; -1: there is none. */
+static int32_t wedged_body(const TinkerContactChange *change)
+{
+    for (guint i = 0; i < change->touches->len; i++) {
+        const TinkerTouch *at = tinker_touch(change, i);
+        if (closes_as_prescribed(change, at) && rubs(change, at->contact.body)) return at->contact.body;
+    }
     return -1;
 }
 
@@ -91,13 +114,13 @@ gboolean tinker_change_refuse_laws(TinkerContactChange *change, TinkerContactRes
                                    GError **error)
 {
     const TinkerModel *model = change->model;
-    const int32_t body = body_on_moving(change);
+    const int32_t body = wedged_body(change);
     if (result != TINKER_CONTACT_NO_MEMORY && body < 0) return tinker_change_refuse(change, why, error);
     if (result != TINKER_CONTACT_NO_MEMORY) {
-        g_autofree char *wedged =
-            g_strdup_printf(_("%s is wedged: what closes on it moves as it is told, and friction lets it go nowhere "
-                              "(make it smoother, or give the motion a way that leaves it room)"),
-                            tinker_scene_block_name(model->scene, model->body_blocks[body]));
+        g_autofree char *wedged = g_strdup_printf(
+            _("%s is wedged: the motion of what closes on it is prescribed, and friction lets it go nowhere "
+              "(make it smoother, or give the motion a way that leaves it room)"),
+            tinker_scene_block_name(model->scene, model->body_blocks[body]));
         return tinker_change_refuse(change, wedged, error);
     }
     tinker_contacts_lack_memory(change->contacts, change->touches->len);

@@ -40,13 +40,24 @@ static gboolean is_thin(const TinkerPlacedShape *shape)
     return shape->kind == TINKER_OUTLINE_POLYGON && shape->count <= 2;
 }
 
+/* Bodies that overlap since the start. */
+static gboolean still_passes(const TinkerPile *pile, const TinkerPileNear *near, const TinkerManifold *manifold)
+{
+    return near->passes && near->second < pile->model->bodies && -manifold->separation > TINKER_TOUCHING;
+}
+
 /* A point on a line, or a line on another, is on neither side of it but for rounding: it stays on the side where it
- * was, until it is past an end. */
+ * was, until it is past an end. What passes has no side yet: it may come free on any. */
 static void keep_side(const TinkerPile *pile, TinkerPileNear *near, TinkerManifold *manifold)
 {
     if (!is_thin(&pile->shape[near->first]) || !is_thin(&pile->shape[near->second])) return;
     double *n = manifold->normal, *was = near->side;
+    if (still_passes(pile, near, manifold)) {
+        was[0] = was[1] = 0;
+        return;
+    }
     const gboolean over = manifold->count > 0, turned = n[0] * was[0] + n[1] * was[1] < 0;
+    if (over && turned) manifold->separation = -manifold->separation;
     for (int k = 0; over && turned && k < 2; k++)
         n[k] = -n[k];
     for (int32_t k = 0; over && turned && k < manifold->count; k++)
@@ -61,7 +72,7 @@ static gboolean goes_through(const TinkerPile *pile, TinkerPileNear *near, const
 {
     const double depth = -manifold->separation;
     if (near->second < pile->model->bodies) {
-        near->passes = near->passes && depth > TINKER_TOUCHING;
+        near->passes = still_passes(pile, near, manifold);
         return near->passes;
     }
     const double *v = pile->bodies[near->first].v, *w = pile->bodies[near->second].v, *n = manifold->normal;
