@@ -1,5 +1,6 @@
 #!/usr/bin/python3
 """Looking around on the canvas, and what is shown beside the blocks."""
+import collections
 import re
 
 from harness import App, check, check_close, check_equal, main, mass, scene, support, wait
@@ -183,7 +184,9 @@ def test_all_is_reached_on_a_screen_that_is_too_small(display):
 def field_arrow(app, x, y):
     """How long the arrow of gravity is that starts at a body's centre (px)."""
     left, top, right, bottom = app.area(x - 0.3, y - 4, x + 0.3, y)
-    rows = [place[1] for place in colours.places(app.picture(), (left, top, right, bottom), colours.FIELD)]
+    across = collections.Counter(
+        place[1] for place in colours.places(app.picture(), (left, top, right, bottom), colours.FIELD))
+    rows = [row for row, pixels in across.items() if pixels > 1]  # the line to its label is one wide
     return max(rows) - min(rows) + 1 if rows else 0
 
 
@@ -228,13 +231,13 @@ def test_forces_on_the_selected_body_only(display):
     floor, box = support("Floor", 0, 0), mass("Box", 0, 0.6)
     with App(display, scene(floor, box, {"type": "gravity", "name": "Gravity"})) as app:
         show_forces(app)
-        up, down = ((-0.4, 0.9), (0.4, 2)), ((-0.4, -1.5), (0.4, -0.5))
-        app.wait_lines(colours.NORMAL, *up, least=30)
+        above, below = ((-0.4, 0.9), (0.4, 2)), ((-0.4, -1.5), (0.4, -0.5))  # what pushes ends where it acts
+        app.wait_lines(colours.NORMAL, *below, least=30)
         app.click_world(-0.2, 0.7)
-        app.wait_lines(colours.NORMAL, *up, least=30)
-        app.wait_lines(colours.NORMAL, *down, most=0)
+        app.wait_lines(colours.NORMAL, *below, least=30)
+        app.wait_lines(colours.NORMAL, *above, most=0)
         app.activate("forces-on-this-body-only")
-        app.wait_lines(colours.NORMAL, *down, least=30)  # what it exerts on the floor
+        app.wait_lines(colours.NORMAL, *above, least=30)  # what it exerts on the floor
 
 
 def test_body_that_leaves_the_view_has_a_mark(display):
