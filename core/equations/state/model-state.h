@@ -5,7 +5,8 @@
 #include "physics/run/acting-forces.h"
 #include "physics/run/simulation.h"
 
-/* Forces and moments below this share of the greatest that act with them are what rounding leaves, and shown as 0. */
+/* Forces, moments, and what they give, below this share of the greatest that act with them are what rounding leaves,
+ * and shown as 0. */
 #define TINKER_FORCE_NOTHING 1e-12
 
 typedef struct {

@@ -130,10 +130,10 @@ void tinker_sample_watch_step(TinkerSampleWatch *watch, guint island, double fro
     if (!watch->looks || from > watch->aim) return;
     const TinkerIslandRun *run = g_ptr_array_index(watch->runs->runs, island);
     const double end = run->state.t, between = watch->to - watch->from;
-    if (end < watch->aim) return;
-    if (is_exact(run) || (end > watch->to - MARGIN * between && end - from < between))
+    if (end < watch->aim || (!is_exact(run) && end - from >= between)) return;
+    if (is_exact(run) || end > watch->to - MARGIN * between)
         look_within(watch, island);
-    else if (end - from < between)
+    else
         look_at_end(watch, island);
 }
 

@@ -4,7 +4,7 @@
 #include <glib/gi18n.h>
 #include <math.h>
 
-#define NOTHING 1e-12 /* of what was moved: below it a bar is none */
+#include "equations/state/model-state.h"
 
 static void entry_clear(gpointer data)
 {
@@ -76,7 +76,7 @@ static double rounding_of(const TinkerBooks *books, TinkerAccountKind which, dou
 {
     const double interval = books->to - books->from;
     if (which == TINKER_ACCOUNT_ENERGY && interval > 0) scale = fmax(scale, books->moment.scale / interval);
-    return NOTHING * scale;
+    return TINKER_FORCE_NOTHING * scale;
 }
 
 static void drop_rounding(TinkerAccount *account, double rounding)
