@@ -9,6 +9,7 @@
 #include <stdlib.h>
 #include <time.h>
 
+#include "folders.h"
 #include "gui/app/application.h"
 #include "gui/window/window-parts.h"
 #include "report.h"
@@ -190,6 +191,7 @@ static void report_case(BenchmarkReport *report, char *program, const char *mode
         environment = g_environ_setenv(environment, folders[i], home, TRUE);
     gboolean done =
         g_spawn_sync(NULL, (char **)arguments, environment, G_SPAWN_DEFAULT, NULL, NULL, &output, NULL, NULL, NULL);
+    test_remove_all(home);
     if (!done || output[0] == '\0') return;
     char *next = output;
     for (int i = 0; i < 7; i++)

@@ -1,7 +1,7 @@
 /* A folder of its own for a test, and the program run there. */
 #include "fixture.h"
+#include "folders.h"
 
-#include <glib/gstdio.h>
 #include <signal.h>
 #include <string.h>
 #include <sys/wait.h>
@@ -13,20 +13,9 @@ void cli_fixture_set_up(CliFixture *fixture, gconstpointer data)
     g_assert_no_error(error);
 }
 
-static void remove_tree(const char *path)
-{
-    g_autoptr(GDir) folder = g_dir_open(path, 0, NULL);
-    const char *name;
-    while (folder != NULL && (name = g_dir_read_name(folder)) != NULL) {
-        g_autofree char *inner = g_build_filename(path, name, NULL);
-        remove_tree(inner);
-    }
-    g_remove(path);
-}
-
 void cli_fixture_tear_down(CliFixture *fixture, gconstpointer data)
 {
-    remove_tree(fixture->folder);
+    test_remove_all(fixture->folder);
     g_free(fixture->folder);
 }
 

@@ -5,8 +5,8 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "author.h"
 #include "common/film/film.h"
+#include "folders.h"
 #include "program.h"
 
 #define WIDTH  8

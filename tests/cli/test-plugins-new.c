@@ -6,6 +6,7 @@
 
 #include "author.h"
 #include "fixture.h"
+#include "folders.h"
 
 static const char *const roles[] = {"line-law", "force-element", "field", "constraint", "joint",
                                     "torque",   "motion",        "body",  "integrator"};

@@ -16,7 +16,4 @@ void test_author_run(const char *folder, const char *data_home, const char *cons
 /* Holds a library to the rules of the contract, and to stating the law of each of its blocks that has one. */
 void test_author_states_laws(const char *library);
 
-/* Removes a file, or a folder with all that is in it. */
-void test_remove_all(const char *path);
-
 #endif

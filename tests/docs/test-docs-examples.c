@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "author.h"
+#include "folders.h"
 #include "markdown.h"
 #include "program.h"
 

@@ -1,4 +1,5 @@
 #include "files-fixture.h"
+#include "folders.h"
 
 #include <gio/gio.h>
 #include <glib/gstdio.h>
@@ -60,19 +61,6 @@ const char *files_fixture_first_name(TinkerDocument *document)
     return tinker_scene_block_name(scene, tinker_scene_block_at(scene, 0));
 }
 
-static void remove_folder(const char *path)
-{
-    g_autoptr(GDir) dir = g_dir_open(path, 0, NULL);
-    for (const char *name = dir != NULL ? g_dir_read_name(dir) : NULL; name != NULL; name = g_dir_read_name(dir)) {
-        g_autofree char *inside = g_build_filename(path, name, NULL);
-        if (g_file_test(inside, G_FILE_TEST_IS_DIR) && !g_file_test(inside, G_FILE_TEST_IS_SYMLINK))
-            remove_folder(inside);
-        else
-            g_unlink(inside);
-    }
-    g_rmdir(path);
-}
-
 static void open_catalogue(void)
 {
     const char *folders[] = {g_getenv("TINKER_TEST_PLUGINS"), NULL};
@@ -96,7 +84,7 @@ int files_fixture_main(int argc, char **argv, void (*add_tests)(void), void (*ch
     add_tests();
     int status = g_test_run();
     tinker_catalogue_free(catalogue);
-    remove_folder(root);
+    test_remove_all(root);
     g_free(root);
     return status;
 }

@@ -4,7 +4,7 @@
 #include <glib/gstdio.h>
 #include <string.h>
 
-#include "author.h"
+#include "folders.h"
 #include "gui-fixture.h"
 #include "gui/document/background.h"
 #include "gui/film/film-task.h"

@@ -4,8 +4,8 @@
 #include <math.h>
 #include <utime.h>
 
-#include "author.h"
 #include "common/graph/trade-chart.h"
+#include "folders.h"
 #include "gui-fixture.h"
 #include "gui/accuracy/trade-task.h"
 #include "gui/document/background.h"

@@ -1,5 +1,6 @@
 /* Temporary places and copies of modules. */
 #include "fixture.h"
+#include "folders.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -15,20 +16,6 @@ static char *make_folder(const char *root, const char *name)
     char *path = g_build_filename(root, name, NULL);
     g_assert_cmpint(g_mkdir(path, 0755), ==, 0);
     return path;
-}
-
-static void remove_tree(const char *path)
-{
-    if (g_file_test(path, G_FILE_TEST_IS_DIR) && !g_file_test(path, G_FILE_TEST_IS_SYMLINK)) {
-        GDir *directory = g_dir_open(path, 0, NULL);
-        g_assert_nonnull(directory);
-        for (const char *name = g_dir_read_name(directory); name != NULL; name = g_dir_read_name(directory)) {
-            g_autofree char *child = g_build_filename(path, name, NULL);
-            remove_tree(child);
-        }
-        g_dir_close(directory);
-    }
-    g_assert_cmpint(g_remove(path), ==, 0);
 }
 
 void place_set_up(Place *place, gconstpointer data)
@@ -59,7 +46,7 @@ void place_set_up(Place *place, gconstpointer data)
 
 void place_tear_down(Place *place, gconstpointer data)
 {
-    remove_tree(place->root);
+    test_remove_all(place->root);
     g_free((char *)place->options.user_folder);
     g_free(place->probe_program);
     g_free(place->root);

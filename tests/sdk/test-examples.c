@@ -2,6 +2,7 @@
  * warnings as errors, its own test passes, and it keeps the rules of the contract. The example is named on the command
  * line. */
 #include "author.h"
+#include "folders.h"
 
 #include "program.h"
 
