@@ -14,8 +14,6 @@
 #define MOST_SWEEPS 20000
 #define MOST_BLOWS  20000
 
-const char *const tinker_impact_law_names[TINKER_IMPACT_LAWS + 1] = {"newton", "poisson", "sequential", NULL};
-
 static double largest_of(const TinkerImpact *impact)
 {
     double largest = 0;

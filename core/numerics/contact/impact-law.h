@@ -14,15 +14,13 @@
 
 #include "numerics/contact/contact-laws.h"
 
+/* As scenes name them. */
 typedef enum {
     TINKER_IMPACT_NEWTON,
     TINKER_IMPACT_POISSON,
     TINKER_IMPACT_SEQUENTIAL,
     TINKER_IMPACT_LAWS,
 } TinkerImpactLaw;
-
-/* "newton", "poisson", "sequential", NULL. */
-extern const char *const tinker_impact_law_names[TINKER_IMPACT_LAWS + 1];
 
 /* Writes the impulses (2m) of an impact without `least`. `pair` (m): contacts of one pair of bodies, which strike
  * together, have one number. No law adds energy: where Poisson's would, all coefficients of restitution are taken as

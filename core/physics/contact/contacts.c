@@ -183,13 +183,13 @@ static void open_books(TinkerContacts *contacts)
         open_books_of(model, &contacts->plates[k]);
 }
 
+/* Scenes list them in this order. */
 static TinkerImpactLaw law_of(TinkerScene *scene)
 {
     int law = 0;
-    while (law < TINKER_IMPACT_LAWS &&
-           g_strcmp0(tinker_impact_law_names[law], tinker_scene_head(scene)->run.impact_law) != 0)
+    while (!g_str_equal(tinker_scene_impact_laws[law], tinker_scene_head(scene)->run.impact_law))
         law++;
-    return law < TINKER_IMPACT_LAWS ? (TinkerImpactLaw)law : TINKER_IMPACT_NEWTON;
+    return (TinkerImpactLaw)law;
 }
 
 TinkerContacts *tinker_contacts_new(TinkerModel *model)

@@ -90,7 +90,7 @@ void tinker_change_note_alternatives(TinkerContactChange *change, const TinkerIm
     g_clear_pointer(&change->alternatives, g_array_unref);
     change->alternatives = g_array_new(FALSE, FALSE, sizeof(TinkerAlternative));
     for (int law = 0; law < TINKER_IMPACT_LAWS; law++)
-        add_bodies(change, tinker_impact_law_names[law], after + (gsize)law * coordinates);
+        add_bodies(change, tinker_scene_impact_laws[law], after + (gsize)law * coordinates);
     warn_once(change);
 }
 

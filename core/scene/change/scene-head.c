@@ -5,7 +5,7 @@
 #include "scene/value/reader.h"
 
 const char *const scene_contacts[] = {"events", "impulse", NULL};
-const char *const scene_impact_laws[] = {"newton", "poisson", "sequential", NULL};
+const char *const tinker_scene_impact_laws[] = {"newton", "poisson", "sequential", NULL};
 
 #define POSITIVE       TINKER_HAS_MINIMUM | TINKER_OPEN_MINIMUM
 #define OFFSET(member) G_STRUCT_OFFSET(TinkerSceneHead, member)
@@ -99,7 +99,7 @@ char *scene_head_fault(const TinkerSceneHead *head)
             return g_strdup_printf("%s must be UTF-8 text", texts[i].what);
     if (!g_strv_contains(scene_contacts, head->run.contacts))
         return g_strdup_printf("run: contacts must be \"events\" or \"impulse\" (it is \"%s\")", head->run.contacts);
-    if (!g_strv_contains(scene_impact_laws, head->run.impact_law))
+    if (!g_strv_contains(tinker_scene_impact_laws, head->run.impact_law))
         return g_strdup_printf("run: impact_law must be \"newton\", \"poisson\" or \"sequential\" (it is \"%s\")",
                                head->run.impact_law);
     if (head->units != TINKER_UNIT_SYSTEM_SI && head->units != TINKER_UNIT_SYSTEM_ENGLISH)

@@ -67,7 +67,7 @@ static gboolean run_member(SceneReader *reader, const cJSON *json, JsonAt at)
         return TRUE;
     }
     if (g_str_equal(json->string, "impact_law")) {
-        run_choice(reader, json, at, scene_impact_laws, &run->impact_law);
+        run_choice(reader, json, at, tinker_scene_impact_laws, &run->impact_law);
         return TRUE;
     }
     return head_number(reader, json, at, "run");

@@ -94,7 +94,6 @@ typedef struct {
 } SceneHeadNumber;
 extern const SceneHeadNumber scene_head_numbers[]; /* ends with an entry without part */
 extern const char *const scene_contacts[];         /* what "contacts" may be; ends with NULL */
-extern const char *const scene_impact_laws[];      /* what "impact_law" may be; ends with NULL */
 
 /* Graphs ------------------------------------------------------------------------------------------------------- */
 

@@ -27,6 +27,9 @@ typedef enum {
 #define TINKER_SCENE_ERROR (tinker_scene_error_quark())
 GQuark tinker_scene_error_quark(void);
 
+/* What `impact_law` may be, in the order of TinkerImpactLaw; ends with NULL. */
+extern const char *const tinker_scene_impact_laws[];
+
 /* How a scene is to be run. */
 typedef struct {
     double duration;  /* s */
@@ -36,7 +39,7 @@ typedef struct {
     double tolerance; /* of adaptive ones */
     double accuracy;  /* wanted of the whole run, in place of step and tolerance: the largest error estimate; 0: none */
     char *contacts;   /* "events" or "impulse"; owned */
-    char *impact_law; /* "newton", "poisson" or "sequential"; owned */
+    char *impact_law; /* one of tinker_scene_impact_laws; owned */
     double spectral_radius;
     char *until; /* conditions of which the first that holds ends it (conditions.h); "": none; owned */
 } TinkerRunSettings;

@@ -7,7 +7,6 @@
 #include "gui/text/number-text.h"
 #include "gui/text/translate.h"
 #include "measure/until.h"
-#include "numerics/contact/impact-law.h"
 #include "numerics/methods/integrators.h"
 
 /* Members of the head, by what they hold. */
@@ -149,7 +148,7 @@ static gboolean choose_contacts(TinkerDocument *document, const TinkerPropertyRo
 static gboolean choose_law(TinkerDocument *document, const TinkerPropertyRow *row, int choice, GError **error)
 {
     const TinkerRunSettings *run = &tinker_scene_head(tinker_document_scene(document))->run;
-    return take_contacts(document, row->title, run->contacts, tinker_impact_law_names[choice], error);
+    return take_contacts(document, row->title, run->contacts, tinker_scene_impact_laws[choice], error);
 }
 
 /* Methods ---------------------------------------------------------------------------------------------------------- */
@@ -284,7 +283,7 @@ static void add_contacts(PropertyBuilder *builder)
         contacts, g_str_equal(run->contacts, contacts_ids[1]))
         ->choose = choose_contacts;
     int chosen = 0;
-    while (tinker_impact_law_names[chosen] != NULL && !g_str_equal(run->impact_law, tinker_impact_law_names[chosen]))
+    while (tinker_scene_impact_laws[chosen] != NULL && !g_str_equal(run->impact_law, tinker_scene_impact_laws[chosen]))
         chosen++;
     add_choice(builder, _("Computation"), property_law_of_impact(),
                _("Of several contacts that close at once. Newton: each parts with its restitution times the speed of "
