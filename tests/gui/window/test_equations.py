@@ -184,6 +184,22 @@ def test_page_follows_while_it_plays(display):
             check(moment(app) <= app.time(), "no moment is shown before it has come")
 
 
+def test_page_opened_while_it_plays_is_filled(display):
+    """Its rows are more than one frame adds, and results of the run come in meanwhile: the last row is there while time
+    goes on."""
+    count = 28
+    chain = [block for i in range(count) for block in
+             (mass(f"M{i}", i + 1, 0), spring(f"S{i}", f"M{i - 1}" if i else "Wall", f"M{i}", rest_length=1))]
+    with App(display, scene(GRAVITY, support("Wall", 0, 0, solid=False), *chain, duration=600)) as app:
+        app.show_width()
+        app.activate("play")
+        wait(lambda: app.time() > 0, "time to go on")
+        app.click("Equations", role="tab")
+        app.find("image", re.compile(f"^M{count - 1}: m times y double dot equals"))
+        reached = app.time()
+        wait(lambda: app.time() > reached, "time to go on")
+
+
 def test_what_touches_on_the_way_has_its_terms(display):
     """A ball falls onto a floor and stays there: its equation has the normal force from then on, while time goes on."""
     with App(display, scene(GRAVITY, support("Floor", 0, -2, width=8, restitution=0), mass("Ball", 0, 0, mass=2),
