@@ -2,6 +2,7 @@
 #include "gui/curve/graph-zoom.h"
 
 #include <math.h>
+#include <string.h>
 
 #define LEAST_SHARE 1e-6 /* of the numbers themselves: finer, an axis is shown as constant */
 
