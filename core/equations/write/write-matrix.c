@@ -377,12 +377,3 @@ void tinker_equations_put_matrix(TinkerPage *page, const TinkerMatrixForm *form,
         tinker_page_heading(page, heading);
     }
 }
-
-char *tinker_equations_write_matrix(const TinkerEquations *equations, const TinkerMatrixForm *form,
-                                    const TinkerEquationsShown *shown)
-{
-    TinkerPage page;
-    tinker_page_begin(&page, shown->format, equations, shown->title);
-    tinker_equations_put_matrix(&page, form, shown);
-    return tinker_page_end(&page);
-}
