@@ -185,7 +185,7 @@ def test_page_follows_while_it_plays(display):
 
 
 def test_page_opened_while_it_plays_is_filled(display):
-    """Its rows are more than one frame adds, and results of the run come in meanwhile: the last row is there while time
+    """Its rows are more than one frame adds, and results of the run come in meanwhile: the last line is there while time
     goes on."""
     count = 28
     chain = [block for i in range(count) for block in
@@ -195,7 +195,7 @@ def test_page_opened_while_it_plays_is_filled(display):
         app.activate("play")
         wait(lambda: app.time() > 0, "time to go on")
         app.click("Equations", role="tab")
-        app.find("image", re.compile(f"^M{count - 1}: m times y double dot equals"))
+        app.find("image", re.compile(f"^M{count - 1}: y .* equals$"))
         reached = app.time()
         wait(lambda: app.time() > reached, "time to go on")
 
