@@ -198,7 +198,7 @@ def test_page_opened_while_it_plays_is_filled(display):
         app.activate("play")
         wait(lambda: app.time() > 0, "time to go on")
         app.click("Equations", role="tab")
-        app.find("image", re.compile(f"^M{count - 1}: y .* equals$"), patience=30)
+        app.find("image", re.compile(f"^M{count - 1}: y .* equals$"), patience=45)
         reached = app.time()
         wait(lambda: app.time() > reached, "time to go on")
 
