@@ -12,9 +12,8 @@ typedef struct {
 } TinkerHit;
 
 /* The topmost part within `reach` (m) of the point: ends and handles before whole blocks, what is drawn later before
- * what is drawn earlier. `skip` (or TINKER_NO_BLOCK) is passed over. Fields, which have no place in the world, are not
- * hit. */
-TinkerHit tinker_hit(TinkerFrame *frame, double x, double y, double reach, TinkerBlockId skip);
+ * what is drawn earlier. Fields, which have no place in the world, are not hit. */
+TinkerHit tinker_hit(TinkerFrame *frame, double x, double y, double reach);
 
 /* Whether all ends of a connector are attached and lie at one place, less than a symbol from each other, as those of a
  * pin and of a drive at its bearing. */

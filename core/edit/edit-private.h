@@ -21,10 +21,6 @@ int32_t edit_hit(const TinkerBlockClass *block_class, const TinkerInstance *inst
 int32_t edit_handles(const TinkerBlockClass *block_class, const TinkerInstance *instance, TinkerHandle *handles,
                      int32_t room);
 
-/* Whether this is a handle that gives a block another size: of a body one that neither turns it nor moves its local
- * origin. */
-gboolean edit_sizes(TinkerHit hit);
-
 /* Whether this is a handle of an end of a long body that turns: one of two that are at both ends of its axis, as a bar
  * has them. A corner of a box is none. */
 gboolean edit_is_handle_of_end(TinkerFrame *frame, TinkerHit hit);

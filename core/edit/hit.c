@@ -15,7 +15,7 @@ static gboolean is_placed(const TinkerInstance *instance)
     return isfinite(instance->x) && isfinite(instance->y);
 }
 
-TinkerHit tinker_hit(TinkerFrame *frame, double x, double y, double reach, TinkerBlockId skip)
+TinkerHit tinker_hit(TinkerFrame *frame, double x, double y, double reach)
 {
     TinkerScene *scene = tinker_frame_scene(frame);
     TinkerHit whole = {TINKER_NO_BLOCK, TINKER_PART_NONE};
@@ -24,7 +24,7 @@ TinkerHit tinker_hit(TinkerFrame *frame, double x, double y, double reach, Tinke
         for (int32_t place = tinker_scene_block_count(scene) - 1; place >= 0; place--) {
             TinkerBlockId block = tinker_scene_block_at(scene, place);
             const TinkerBlockClass *block_class = tinker_scene_block_class(scene, block);
-            if (block == skip || tinker_frame_layer(frame, block) != layer) continue;
+            if (tinker_frame_layer(frame, block) != layer) continue;
             TinkerInstance instance;
             gboolean known = tinker_frame_instance(frame, block, &instance);
             if (!is_placed(&instance)) continue;
@@ -36,7 +36,9 @@ TinkerHit tinker_hit(TinkerFrame *frame, double x, double y, double reach, Tinke
     return whole;
 }
 
-gboolean edit_sizes(TinkerHit hit)
+/* Whether this is a handle that gives a block another size: of a body one that neither turns it nor moves its local
+ * origin. */
+static gboolean sizes(TinkerHit hit)
 {
     return hit.block != TINKER_NO_BLOCK && hit.part >= TINKER_PART_HANDLE && hit.part < TINKER_PART_POINT &&
            hit.part != TINKER_HANDLE_ROTATION && hit.part != TINKER_HANDLE_LOCAL_ORIGIN;
@@ -60,7 +62,7 @@ gboolean edit_is_handle_of_end(TinkerFrame *frame, TinkerHit hit)
     TinkerInstance instance;
     TinkerHandle handles[MOST_HANDLES];
     int32_t start, end;
-    if (!edit_sizes(hit) || !edit_has_ends(frame, hit.block) || !tinker_frame_instance(frame, hit.block, &instance))
+    if (!sizes(hit) || !edit_has_ends(frame, hit.block) || !tinker_frame_instance(frame, hit.block, &instance))
         return FALSE;
     const double width = tinker_frame_meaning(frame, hit.block, TINKER_MEANING_WIDTH, 0, 0);
     const int32_t count =

@@ -65,12 +65,7 @@ static void put_function(GString *text, const char *name)
 
 static void put_comparison(GString *text, const char *sign)
 {
-    const char *shown = strcmp(sign, "<=") == 0   ? "≤"
-                        : strcmp(sign, ">=") == 0 ? "≥"
-                        : strcmp(sign, "!=") == 0 ? "≠"
-                        : strcmp(sign, "==") == 0 ? "="
-                                                  : sign;
-    put_text(text, "mo", shown);
+    put_text(text, "mo", tinker_typeset_comparison(sign));
 }
 
 static void raise_symbol(GString *text, gsize symbol, const char *exponent)

@@ -53,7 +53,10 @@ void tinker_typeset_digits(char digits[32], double number);
 /* Takes the power of ten off the digits of a number, "1.2e-05" is 1.2 and -5; FALSE where it has none. */
 gboolean tinker_typeset_power(char digits[32], int *power);
 
-/* Bytes of a stem before its index: "L0" is L with the index 0, "µd" µ with the index d, "theta" a word. */
+/* "<=" as a sign: "≤". */
+const char *tinker_typeset_comparison(const char *sign);
+
+/* Bytes of a stem before its index: "L0" is L with the index 0, "μd" μ with the index d, "theta" a word. */
 gsize tinker_stem_letters(const char *stem);
 
 #endif

@@ -49,12 +49,7 @@ static void put_function(GString *text, const char *name)
 
 static void put_comparison(GString *text, const char *sign)
 {
-    const char *shown = strcmp(sign, "<=") == 0   ? "≤"
-                        : strcmp(sign, ">=") == 0 ? "≥"
-                        : strcmp(sign, "!=") == 0 ? "≠"
-                        : strcmp(sign, "==") == 0 ? "="
-                                                  : sign;
-    g_string_append_printf(text, " %s ", shown);
+    g_string_append_printf(text, " %s ", tinker_typeset_comparison(sign));
 }
 
 const TinkerTypesetStyle tinker_text_style = {

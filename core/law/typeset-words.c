@@ -19,6 +19,15 @@ gboolean tinker_typeset_power(char digits[32], int *power)
     return TRUE;
 }
 
+const char *tinker_typeset_comparison(const char *sign)
+{
+    return strcmp(sign, "<=") == 0   ? "≤"
+           : strcmp(sign, ">=") == 0 ? "≥"
+           : strcmp(sign, "!=") == 0 ? "≠"
+           : strcmp(sign, "==") == 0 ? "="
+                                     : sign;
+}
+
 gsize tinker_stem_letters(const char *stem)
 {
     return (guchar)stem[0] < 0x80 ? strcspn(stem, "0123456789") : (gsize)(g_utf8_next_char(stem) - stem);
@@ -26,6 +35,7 @@ gsize tinker_stem_letters(const char *stem)
 
 const char *tinker_greek_name(const char *letter)
 {
+    /* keyboards have the micro sign, which looks like the letter */
     static const struct {
         const char *letter, *name;
     } letters[] = {{"α", "alpha"}, {"β", "beta"},  {"γ", "gamma"},  {"δ", "delta"}, {"ε", "varepsilon"},

@@ -72,7 +72,7 @@ static const TinkerPropertyType properties[] = {
      .description = "Of the bolt, at whose rim friction acts"},
     {TINKER_REAL_PROPERTY("friction", "Friction", "Friction", TINKER_DIMENSION_NONE), TINKER_NOT_NEGATIVE(0, 1.0),
      .variability = TINKER_STRUCTURAL,
-     .description = "Its coefficient: r µ / sqrt(1 + µ^2) times the pin's force resists its turning"},
+     .description = "Its coefficient: r μ / sqrt(1 + μ^2) times the pin's force resists its turning"},
 };
 
 static const TinkerLawEquation law[] = {

@@ -142,7 +142,7 @@ static void test_small_wheel(void)
     g_autoptr(TinkerModel) model = tinker_model_new(f->scene, NULL);
     g_autoptr(GPtrArray) all = tinker_advice_new(f->scene);
     g_assert_cmpuint(tinker_model_warnings(model)->len, ==, 1);
-    g_assert_cmpstr(g_ptr_array_index(tinker_model_warnings(model), 0), ==,
+    g_assert_cmpstr(tinker_warnings_text(tinker_model_warnings(model), 0), ==,
                     advice_only(all, TINKER_ADVICE_SMALL_WHEEL)->message);
     g_autoptr(StartFixture) g = start_fixture_new(rim);
     g_autoptr(GPtrArray) none = tinker_advice_new(g->scene);
@@ -180,7 +180,7 @@ static void test_idle_turns(void)
         g_assert_cmpuint(tinker_model_warnings(model)->len, ==, cases[i].part != NULL);
         g_assert_cmpuint(all->len, ==, cases[i].part != NULL);
         if (cases[i].part != NULL)
-            g_assert_cmpstr(g_ptr_array_index(tinker_model_warnings(model), 0), ==,
+            g_assert_cmpstr(tinker_warnings_text(tinker_model_warnings(model), 0), ==,
                             advice_only(all, TINKER_ADVICE_IDLE_TURN)->message);
     }
 }

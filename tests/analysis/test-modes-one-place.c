@@ -163,7 +163,7 @@ static void test_pull_without_direction(void)
         g_assert_cmpint(a->analysis->linear->undefined_pulls, ==, 1);
         const GPtrArray *warnings = tinker_model_warnings(a->analysis->model);
         g_assert_cmpuint(warnings->len, ==, 1);
-        g_assert_nonnull(strstr(g_ptr_array_index(warnings, 0), "its ends are at one place"));
+        g_assert_nonnull(strstr(tinker_warnings_text(warnings, 0), "its ends are at one place"));
     }
     g_autoptr(ModesFixture) walked = modes_fixture_new(
         TRUE, "{'type': 'support', 'solid': false}, {'type': 'mass', 'position': [1, 0]},"

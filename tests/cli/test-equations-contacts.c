@@ -86,7 +86,7 @@ static void test_sliding_boxes(CliFixture *fixture, gconstpointer data)
     assert_acceleration(root, "Upper", of_upper);
     assert_acceleration(root, "Lower", of_lower);
     cJSON_Delete(root);
-    static const char *const lines[] = {"f_1,2,1 = −σ_1,2,1 √(µd₁ µd₂) N_1,2,1", NULL};
+    static const char *const lines[] = {"f_1,2,1 = −σ_1,2,1 √(μd₁ μd₂) N_1,2,1", NULL};
     written_assert_page(fixture, "equations @scene.json", lines);
 }
 

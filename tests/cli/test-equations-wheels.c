@@ -208,8 +208,8 @@ static void test_rolling(CliFixture *fixture, gconstpointer data)
                                         "− (H / 2 + R₁) ",
                                         "+ R₁ θ₁ − s0₁ ",
                                         "I₂ θ̈₂ = f₂ R₂",
-                                        "friction force, sticks while |f₁| ≤ µs N₁)",
-                                        "µs = 0.6 ",
+                                        "friction force, sticks while |f₁| ≤ μs N₁)",
+                                        "μs = 0.6 ",
                                         NULL};
     written_assert_page(fixture, "equations @scene.json", lines);
 }
@@ -231,7 +231,7 @@ static void test_sliding_box(CliFixture *fixture, gconstpointer data)
     written_assert_near(a + b, weight, 1e-9);
     written_assert_near(fabs(b - a), 0.3 * weight * 0.4 / 0.8, 1e-9);
     cJSON_Delete(root);
-    static const char *const lines[] = {"I θ̈ = r₁x N₁ + r₁y σ₁ µd N₁ + r₂x N₂ + r₂y σ₂ µd N₂", NULL};
+    static const char *const lines[] = {"I θ̈ = r₁x N₁ + r₁y σ₁ μd N₁ + r₂x N₂ + r₂y σ₂ μd N₂", NULL};
     written_assert_page(fixture, "equations @scene.json", lines);
 }
 

@@ -44,7 +44,7 @@ static TinkerBlockId named(const Stage *stage, const char *name)
 
 static void expect(const Stage *stage, double x, double y, const char *name, int32_t part)
 {
-    TinkerHit hit = tinker_hit(stage->frame, x, y, REACH, TINKER_NO_BLOCK);
+    TinkerHit hit = tinker_hit(stage->frame, x, y, REACH);
     g_assert_cmpint(hit.block, ==, named(stage, name));
     g_assert_cmpint(hit.part, ==, part);
 }
@@ -62,7 +62,7 @@ static void test_order(Stage *stage, gconstpointer data)
     /* a pivot lies over what hangs on it, and is no larger than it is drawn */
     expect(stage, 8, -0.1, "Pivot", TINKER_PART_WHOLE);
     expect(stage, 8, 0.3, "Wheel", TINKER_PART_WHOLE);
-    TinkerHit nothing = tinker_hit(stage->frame, -4, -1, REACH, TINKER_NO_BLOCK);
+    TinkerHit nothing = tinker_hit(stage->frame, -4, -1, REACH);
     g_assert_cmpint(nothing.block, ==, TINKER_NO_BLOCK);
     g_assert_cmpint(nothing.part, ==, TINKER_PART_NONE);
 }
@@ -104,12 +104,6 @@ static void test_to_drag(void)
     g_assert_cmpint(tinker_hit_to_drag(frame, end, 0.5, 0, 0.02).block, ==, end.block);
 }
 
-static void test_skip(Stage *stage, gconstpointer data)
-{
-    TinkerHit hit = tinker_hit(stage->frame, 0.2, 0.3, REACH, named(stage, "Above"));
-    g_assert_cmpint(hit.block, ==, named(stage, "Below"));
-}
-
 static void test_connectable(Stage *stage, gconstpointer data)
 {
     TinkerBlockId spring = named(stage, "S"), motor = named(stage, "M"), shake = named(stage, "Shake");
@@ -148,7 +142,7 @@ static void test_nowhere(Stage *stage, gconstpointer data)
     /* Neither a field, which has no place, nor numbers that are none are hit. */
     static const double odd[] = {NAN, INFINITY, -INFINITY, 1e300};
     for (gsize i = 0; i < G_N_ELEMENTS(odd); i++) {
-        g_assert_cmpint(tinker_hit(stage->frame, odd[i], 0, REACH, TINKER_NO_BLOCK).block, ==, TINKER_NO_BLOCK);
+        g_assert_cmpint(tinker_hit(stage->frame, odd[i], 0, REACH).block, ==, TINKER_NO_BLOCK);
         g_assert_cmpint(tinker_hit_connectable(stage->frame, named(stage, "S"), odd[i], 0, REACH), ==, TINKER_NO_BLOCK);
     }
 }
@@ -179,7 +173,6 @@ static void test_snap(void)
 static void add_tests(void)
 {
     add("/edit/hit/order", test_order);
-    add("/edit/hit/skip", test_skip);
     add("/edit/hit/connectable", test_connectable);
     add("/edit/hit/handles", test_handles);
     add("/edit/hit/nowhere", test_nowhere);

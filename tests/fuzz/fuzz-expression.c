@@ -15,8 +15,6 @@ static void check_breaks(TinkerWaveformEvaluator *evaluator)
         const double next = tinker_waveform_next_break(evaluator, t, horizon);
         if (isinf(next) && next > 0) return;
         if (!(next > t && next <= horizon)) g_error("the break after %.17g is %.17g", t, next);
-        double jump[2];
-        tinker_waveform_jump(evaluator, next, jump);
         t = next;
     }
 }

@@ -2,6 +2,8 @@
 
 #include <string.h>
 
+#include "property-rows.h"
+
 void panel_select(GuiFixture *fixture, const char *name)
 {
     tinker_document_select(fixture->document, gui_fixture_block(fixture, name));
@@ -24,12 +26,7 @@ double panel_stored(GuiFixture *fixture, const char *name, const char *id, int c
 
 TinkerPropertyRow *panel_find_row(GuiFixture *fixture, const char *group, const char *title)
 {
-    g_autoptr(GPtrArray) rows = tinker_property_list_new(fixture->document, fixture->player, fixture->trims);
-    for (guint i = 0; i < rows->len; i++) {
-        TinkerPropertyRow *row = g_ptr_array_index(rows, i);
-        if (g_str_equal(row->group, group) && g_str_equal(row->title, title)) return tinker_property_row_ref(row);
-    }
-    return NULL;
+    return property_rows_find(fixture->document, fixture->player, fixture->trims, group, title);
 }
 
 void panel_assert_shown(GuiFixture *fixture, const char *group, const char *title, const char *text)
@@ -70,21 +67,12 @@ void panel_type(GuiFixture *fixture, const char *group, const char *title, const
     g_assert_no_error(error);
 }
 
-static int find_choice(const TinkerPropertyRow *row, const char *text)
-{
-    int choice = 0;
-    while (row->choices[choice] != NULL && !g_str_equal(row->choices[choice], text))
-        choice++;
-    g_assert_nonnull(row->choices[choice]);
-    return choice;
-}
-
 void panel_choose(GuiFixture *fixture, const char *group, const char *title, const char *text)
 {
     g_autoptr(TinkerPropertyRow) row = panel_find_row(fixture, group, title);
     g_autoptr(GError) error = NULL;
     g_assert_nonnull(row);
-    tinker_property_row_choose(fixture->document, row, find_choice(row, text), &error);
+    tinker_property_row_choose(fixture->document, row, property_rows_choice(row, text), &error);
     g_assert_no_error(error);
 }
 
@@ -98,7 +86,7 @@ void panel_assert_refused(GuiFixture *fixture, const char *group, const char *ti
     g_autofree char *last = g_strdup(undo);
     g_assert_nonnull(row);
     if (row->choices != NULL)
-        g_assert_false(tinker_property_row_choose(fixture->document, row, find_choice(row, text), &error));
+        g_assert_false(tinker_property_row_choose(fixture->document, row, property_rows_choice(row, text), &error));
     else
         g_assert_false(tinker_property_row_set(fixture->document, row, text, &error));
     g_assert_nonnull(error);

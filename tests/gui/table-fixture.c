@@ -1,5 +1,7 @@
 #include "table-fixture.h"
 
+#include "property-rows.h"
+
 TablePanel table_panel_with(const char *scene, const char *record, const char *selected)
 {
     g_autofree char *path = files_fixture_file("scene.tinker.json", scene);
@@ -23,12 +25,7 @@ void table_panel_clear(TablePanel *panel)
 
 TinkerPropertyRow *table_panel_find_row(TablePanel *panel, const char *group, const char *title)
 {
-    g_autoptr(GPtrArray) rows = tinker_property_list_new(panel->document, panel->player, FALSE);
-    for (guint i = 0; i < rows->len; i++) {
-        TinkerPropertyRow *row = g_ptr_array_index(rows, i);
-        if (g_str_equal(row->group, group) && g_str_equal(row->title, title)) return tinker_property_row_ref(row);
-    }
-    return NULL;
+    return property_rows_find(panel->document, panel->player, FALSE, group, title);
 }
 
 void table_panel_assert_shown(TablePanel *panel, const char *group, const char *title, const char *text)
@@ -85,7 +82,7 @@ void table_panel_set(TablePanel *panel, const char *group, const char *title, co
     g_autoptr(GError) error = NULL;
     g_assert_nonnull(row);
     if (row->kind == TINKER_ROW_CHOICE)
-        tinker_property_row_choose(panel->document, row, g_str_equal(row->choices[1], text) ? 1 : 0, &error);
+        tinker_property_row_choose(panel->document, row, property_rows_choice(row, text), &error);
     else
         tinker_property_row_set(panel->document, row, text, &error);
     g_assert_no_error(error);

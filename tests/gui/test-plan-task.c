@@ -54,7 +54,7 @@ static void test_warning_and_cure(void)
     g_assert_cmpfloat(only_island(result)->choice.step, ==, 0.57);
     g_assert_false(result->automatic);
     g_assert_cmpuint(result->plan->warnings->len, >, 0);
-    g_assert_true(strstr(g_ptr_array_index(result->avoidable, 0), "0.566") != NULL);
+    g_assert_true(strstr(tinker_warnings_text(result->avoidable, 0), "0.566") != NULL);
 
     g_autofree char *before = tinker_scene_to_text(tinker_document_scene(document), TINKER_WRITE_SI);
     g_assert_true(tinker_run_choice_automatic(document, NULL));

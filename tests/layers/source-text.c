@@ -107,3 +107,14 @@ gboolean source_begins_with_one_of(const char *text, const char *const *beginnin
         if (g_str_has_prefix(text, *beginnings)) return TRUE;
     return FALSE;
 }
+
+char *source_output_of(const char *const *arguments)
+{
+    g_autoptr(GError) error = NULL;
+    char *output = NULL;
+    int wait_status = 0;
+    g_spawn_sync(NULL, (char **)arguments, NULL, G_SPAWN_SEARCH_PATH, NULL, NULL, &output, NULL, &wait_status, &error);
+    g_assert_no_error(error);
+    g_assert_true(g_spawn_check_wait_status(wait_status, NULL));
+    return output;
+}

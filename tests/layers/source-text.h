@@ -16,6 +16,10 @@ GPtrArray *source_includes(const char *text);
 /* The contents of its string literals, as written, but for those of include lines; of char *. (transfer full) */
 GPtrArray *source_literals(const char *text);
 
+/* What a program that reads binaries says of one of them; fails the test where it fails. `arguments` end with NULL, the
+ * first of them is the program. (transfer full) */
+char *source_output_of(const char *const *arguments);
+
 /* Whether a text begins with one of these, the last of which is NULL. */
 gboolean source_begins_with_one_of(const char *text, const char *const *beginnings);
 

@@ -4,6 +4,8 @@
 #include <glib.h>
 #include <string.h>
 
+#include "source-text.h"
+
 /* Calls that may close a circle, and why; ended by NULL. */
 typedef struct {
     const char *from, *to, *reason;
@@ -24,18 +26,6 @@ static void file_free(gpointer data)
     File *file = data;
     g_hash_table_unref(file->calls);
     g_free(file);
-}
-
-static char *symbols_of(const char *archive)
-{
-    const char *arguments[] = {"nm", "--print-file-name", archive, NULL};
-    g_autofree char *output = NULL;
-    g_autoptr(GError) error = NULL;
-    int wait_status = 0;
-    g_spawn_sync(NULL, (char **)arguments, NULL, G_SPAWN_SEARCH_PATH, NULL, NULL, &output, NULL, &wait_status, &error);
-    g_assert_no_error(error);
-    g_assert_true(g_spawn_check_wait_status(wait_status, NULL));
-    return g_steal_pointer(&output);
 }
 
 /* "…/libtinker_physics.a:run_watch.c.o:0000 T name" is in the file "physics/run_watch". (transfer full) */
@@ -104,7 +94,7 @@ static GHashTable *read_calls(void)
     g_auto(GStrv) archives = g_strsplit(g_getenv("TINKER_TEST_ARCHIVES"), ":", -1);
     g_autoptr(GString) all = g_string_new(NULL);
     for (char **archive = archives; *archive != NULL; archive++) {
-        g_autofree char *symbols = symbols_of(*archive);
+        g_autofree char *symbols = source_output_of((const char *[]){"nm", "--print-file-name", *archive, NULL});
         g_string_append(all, symbols);
     }
     g_auto(GStrv) lines = g_strsplit(all->str, "\n", -1);

@@ -9,13 +9,7 @@
 /* The libraries that a binary asks the loader for; of char *. (transfer full) */
 static GPtrArray *needed_libraries(const char *binary)
 {
-    const char *arguments[] = {"readelf", "--dynamic", "--wide", binary, NULL};
-    g_autofree char *output = NULL;
-    g_autoptr(GError) error = NULL;
-    int wait_status = 0;
-    g_spawn_sync(NULL, (char **)arguments, NULL, G_SPAWN_SEARCH_PATH, NULL, NULL, &output, NULL, &wait_status, &error);
-    g_assert_no_error(error);
-    g_assert_true(g_spawn_check_wait_status(wait_status, NULL));
+    g_autofree char *output = source_output_of((const char *[]){"readelf", "--dynamic", "--wide", binary, NULL});
     GPtrArray *needed = g_ptr_array_new_with_free_func(g_free);
     g_auto(GStrv) lines = g_strsplit(output, "\n", -1);
     for (char **line = lines; *line != NULL; line++) {

@@ -103,6 +103,6 @@ char *net_summary_text(const TinkerSummary *summary)
         g_string_append_printf(text, "event %.17g %s %s\n", event->time, event->kind, event->blocks);
     }
     for (guint i = 0; i < summary->warnings->len; i++)
-        g_string_append_printf(text, "warning %s\n", (const char *)g_ptr_array_index(summary->warnings, i));
+        g_string_append_printf(text, "warning %s\n", tinker_warnings_text(summary->warnings, i));
     return g_string_free(text, FALSE);
 }

@@ -56,3 +56,9 @@ void planned_assert_holds(const GPtrArray *sentences, const char *text)
         g_test_message("%s", (const char *)g_ptr_array_index(sentences, i));
     g_test_fail_printf("\"%s\" is in %d sentences, not in one", text, planned_count_holding(sentences, text));
 }
+
+void planned_assert_warns(const TinkerPlan *plan, const char *text)
+{
+    g_autoptr(GPtrArray) sentences = tinker_warnings_texts(plan->warnings);
+    planned_assert_holds(sentences, text);
+}

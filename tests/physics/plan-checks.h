@@ -30,4 +30,7 @@ int planned_count_holding(const GPtrArray *sentences, const char *text);
 /* Fails unless one of the sentences holds a text. */
 void planned_assert_holds(const GPtrArray *sentences, const char *text);
 
+/* Whether it warns of that once. */
+void planned_assert_warns(const TinkerPlan *plan, const char *text);
+
 #endif

@@ -130,7 +130,7 @@ static void show(const Case *this, int threads, gboolean looks, Shown *shown)
                     summary->error_estimate, summary->predictable_until, (int)summary->steps, (int)summary->evaluations,
                     summary->energy_balance_error);
     for (guint i = 0; i < summary->warnings->len; i++)
-        g_string_append_printf(shown->told, "\n%s", (const char *)g_ptr_array_index(summary->warnings, i));
+        g_string_append_printf(shown->told, "\n%s", tinker_warnings_text(summary->warnings, i));
     if (options.bands && this->options.duration > 0) {
         const double *bands = tinker_simulation_bands(run->simulation);
         for (guint c = 0; c < run->columns->len; c++)
@@ -198,7 +198,7 @@ static void test_failing(void)
             g_strdup_printf("there is no error estimate beyond t = %.6g s: the companion run", FAILS_AT);
         guint found = 0;
         for (guint i = 0; i < warnings->len; i++)
-            found += g_str_has_prefix(g_ptr_array_index(warnings, i), words);
+            found += g_str_has_prefix(tinker_warnings_text(warnings, i), words);
         g_assert_cmpint(found, ==, 1);
         g_assert_true(isnan(run->summary->error_estimate));
         g_assert_cmpfloat(run->summary->simulated_s, ==, 75);

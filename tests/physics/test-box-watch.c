@@ -6,14 +6,14 @@
 #include <string.h>
 
 /* The warnings of that kind: how many, and the last of them. */
-static guint told(const PhysicsRun *run, const char **text)
+static guint told(const PhysicsRun *run, const TinkerWarning **said)
 {
     guint count = 0;
     for (guint i = 0; i < run->summary->warnings->len; i++) {
-        const char *warning = g_ptr_array_index(run->summary->warnings, i);
-        if (strstr(warning, "pass through each other") == NULL) continue;
+        const TinkerWarning *warning = g_ptr_array_index(run->summary->warnings, i);
+        if (strstr(warning->text, "pass through each other") == NULL) continue;
         count++;
-        *text = warning;
+        *said = warning;
     }
     return count;
 }
@@ -30,11 +30,11 @@ static void test_two(void)
             physics_run(&(PhysicsOptions){.duration = 3, .interval = rows[i].interval},
                         "{'type': 'mass', 'name': 'A', 'position': [-3, 0.2], 'velocity': [3, 0]},"
                         "{'type': 'mass', 'name': 'B', 'position': [1, 0.2], 'velocity': [-1, 0]}");
-        const char *text = NULL;
-        g_assert_cmpuint(told(run, &text), ==, 1);
-        g_assert_nonnull(strstr(text, "A and B overlap"));
-        g_assert_nonnull(strstr(text, rows[i].time));
-        g_assert_true(g_ptr_array_find(run->summary->of_scene, text, NULL));
+        const TinkerWarning *said = NULL;
+        g_assert_cmpuint(told(run, &said), ==, 1);
+        g_assert_nonnull(strstr(said->text, "A and B overlap"));
+        g_assert_nonnull(strstr(said->text, rows[i].time));
+        g_assert_cmpint(said->kind, ==, TINKER_WARNING_SCENE);
     }
 }
 
@@ -49,8 +49,8 @@ static void test_nothing(void)
     };
     for (gsize i = 0; i < G_N_ELEMENTS(rows); i++) {
         g_autoptr(PhysicsRun) run = physics_run(&(PhysicsOptions){.duration = 4}, "%s", rows[i]);
-        const char *text = NULL;
-        g_assert_cmpuint(told(run, &text), ==, 0);
+        const TinkerWarning *said = NULL;
+        g_assert_cmpuint(told(run, &said), ==, 0);
     }
 }
 
@@ -105,10 +105,10 @@ static void test_many(void)
         g_autoptr(PhysicsRun) run =
             physics_run(&(PhysicsOptions){.duration = duration, .interval = interval}, "%s", blocks->str);
         g_autofree char *truth = expected(flights, interval, duration);
-        const char *text = "";
-        g_assert_cmpuint(told(run, &text), ==, truth != NULL);
+        const TinkerWarning *said = NULL;
+        g_assert_cmpuint(told(run, &said), ==, truth != NULL);
         if (truth != NULL) {
-            g_assert_true(g_str_has_prefix(text, truth));
+            g_assert_true(g_str_has_prefix(said->text, truth));
             seen++;
         } else {
             none++;
@@ -128,14 +128,14 @@ static void test_turned(void)
         "'static_friction': 2, 'dynamic_friction': 2},"
         "{'type': 'mass', 'name': 'A', 'width': 1, 'height': 1, 'on': 'Slope', 'along': -0.6},"
         "{'type': 'mass', 'name': 'B', 'width': 1, 'height': 1, 'on': 'Slope', 'along': 0.6}";
-    const char *text = NULL;
+    const TinkerWarning *said = NULL;
     g_autoptr(PhysicsRun) lie = physics_run(&(PhysicsOptions){.duration = 1}, "%s", blocks);
-    g_assert_cmpuint(told(lie, &text), ==, 0);
+    g_assert_cmpuint(told(lie, &said), ==, 0);
     g_autoptr(PhysicsRun) upright = physics_run(&(PhysicsOptions){.duration = 1},
                                                 "{'type': 'mass', 'name': 'A', 'width': 1, 'height': 1},"
                                                 "{'type': 'mass', 'name': 'B', 'width': 1, 'height': 1, 'position': "
                                                 "[0.85, 0.85]}");
-    g_assert_cmpuint(told(upright, &text), ==, 1);
+    g_assert_cmpuint(told(upright, &said), ==, 1);
 }
 
 static void add_tests(void)

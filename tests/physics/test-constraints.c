@@ -67,7 +67,7 @@ static void test_start_velocity_of_pendulum(void)
     physics_assert_near("vy", physics_value(run, 0, 1), 2 + along * 0.8, 1e-15);
     physics_assert_near("impulse", run->summary->start_impulse, 2 * fabs(along), 1e-14);
     g_assert_cmpuint(run->summary->warnings->len, ==, 1);
-    g_assert_nonnull(strstr(g_ptr_array_index(run->summary->warnings, 0), "velocities"));
+    g_assert_nonnull(strstr(tinker_warnings_text(run->summary->warnings, 0), "velocities"));
     g_assert_cmpuint(run->summary->events->len, ==, 1);
     const TinkerEvent *event = g_ptr_array_index(run->summary->events, 0);
     g_assert_cmpstr(event->kind, ==, "start");

@@ -301,7 +301,7 @@ static gboolean warns_of_passing(const PhysicsRun *run)
 {
     gboolean warns = FALSE;
     for (guint i = 0; i < run->summary->warnings->len; i++)
-        warns |= strstr(g_ptr_array_index(run->summary->warnings, i), "pass through each other") != NULL;
+        warns |= strstr(tinker_warnings_text(run->summary->warnings, i), "pass through each other") != NULL;
     return warns;
 }
 

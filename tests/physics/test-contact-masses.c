@@ -168,7 +168,7 @@ static void test_overlap(void)
         "{'type': 'support', 'orientation': '90 deg', 'position': [2.2, 0], " CONTACT_SMOOTH ", 'restitution': 1}," CART
         ", 'position': [0, 0]}," CART ", 'position': [0.15, 0.05], 'velocity': [1, 0], 'restitution': 1}");
     g_assert_cmpuint(run->summary->warnings->len, ==, 1);
-    const char *warning = g_ptr_array_index(run->summary->warnings, 0);
+    const char *warning = tinker_warnings_text(run->summary->warnings, 0);
     g_assert_cmpstr(warning, ==,
                     "Mass 0 and Mass 1 overlap at the start, by 0.05 m: they pass through each other until they have "
                     "parted (place them apart, and they meet)");

@@ -103,7 +103,7 @@ static void test_guided_push(void)
         g_autoptr(PhysicsRun) run = run_guided(tolerances[i / 2], side);
         gboolean said = FALSE;
         for (guint k = 0; k < run->summary->warnings->len; k++)
-            said |= strstr(g_ptr_array_index(run->summary->warnings, k), "share a load") != NULL;
+            said |= strstr(tinker_warnings_text(run->summary->warnings, k), "share a load") != NULL;
         g_assert_true(said);
         for (gsize k = 0; i == 0 && k < G_N_ELEMENTS(first); k++)
             first[k] = physics_last(run, k);

@@ -2,6 +2,7 @@
 #include "contact-checks.h"
 
 #include <math.h>
+#include <string.h>
 
 /* A light box is caught between a plate that cannot yield and a heavy box that rolls over it. Its friction wedges: the
  * forces grow as a power of the time that is left, and an impulse ends it. Impulses step by step, which know no forces,
@@ -144,6 +145,21 @@ static void test_nip(void)
     }
 }
 
+/* A rod drives a disc into a wall, while the floor that it lies on gives way: that fails, but not because the floor
+ * closes on the disc. */
+static void test_recedes(void)
+{
+    g_autoptr(PhysicsRun) run = physics_try(
+        &(PhysicsOptions){.duration = 0.5}, CONTACT_WEIGHT CONTACT_FLOOR
+        ", 'width': 10}, {'type': 'support', 'name': 'Wall', 'position': [1, 0], 'orientation': '90 deg', 'width': 4},"
+        "{'type': 'support', 'name': 'Hand', 'position': [-1, 0.2], 'solid': false}, {'type': 'disc', 'radius': 0.2,"
+        " 'position': [0.5, 0.2]}, {'type': 'rod', 'ends': ['Hand', 'Disc 0']},"
+        "{'type': 'support-motion', 'ends': ['Support 0'], 'waveform': {'expression': '-t^2/2'}, 'angle': '90 deg'},"
+        "{'type': 'support-motion', 'ends': ['Hand'], 'waveform': {'expression': 't'}}");
+    physics_assert_refused(run, TINKER_MODEL_ERROR_RUN, "laws of impact", NULL);
+    g_assert_null(strstr(run->error->message, "wedged"));
+}
+
 static void add_tests(void)
 {
     g_test_add_func("/contact-wedged/grows-beyond-bounds", test_grows_beyond_bounds);
@@ -151,6 +167,7 @@ static void add_tests(void)
     g_test_add_func("/contact-wedged/struck-pyramid", test_struck_pyramid);
     g_test_add_func("/contact-wedged/askew", test_askew);
     g_test_add_func("/contact-wedged/nip", test_nip);
+    g_test_add_func("/contact-wedged/recedes", test_recedes);
     g_test_add_func("/contact-wedged/rattles-to-rest", test_rattles_to_rest);
 }
 

@@ -39,7 +39,7 @@ static void assert_lost(const PhysicsRun *run, double time, double bound)
     const GPtrArray *warnings = run->summary->warnings;
     gboolean warned = FALSE;
     for (guint i = 0; i < warnings->len; i++)
-        warned |= g_str_has_prefix(g_ptr_array_index(warnings, i), "k: its ends meet at t = ");
+        warned |= g_str_has_prefix(tinker_warnings_text(warnings, i), "k: its ends meet at t = ");
     g_assert_true(warned);
 }
 

@@ -17,7 +17,7 @@ static int count_warnings(const PhysicsRun *run, const char *words)
 {
     int count = 0;
     for (guint i = 0; i < run->summary->warnings->len; i++)
-        if (strstr(g_ptr_array_index(run->summary->warnings, i), words) != NULL) count++;
+        if (strstr(tinker_warnings_text(run->summary->warnings, i), words) != NULL) count++;
     return count;
 }
 

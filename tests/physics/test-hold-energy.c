@@ -82,7 +82,7 @@ static TinkerChoice choice_of(const char *method, double duration, const char *b
     g_autoptr(TinkerScene) scene = physics_scene(NULL, blocks);
     g_autoptr(TinkerModel) model = tinker_model_new(scene, NULL);
     g_autoptr(GPtrArray) islands = tinker_islands_for(model, FALSE, NULL);
-    g_autoptr(GPtrArray) warnings = g_ptr_array_new_with_free_func(g_free);
+    g_autoptr(GPtrArray) warnings = tinker_warnings_new();
     TinkerRunOptions options = {
         .duration = duration, .interval = 1, .method = method, .step = 0.01, .tolerance = 1e-9, .spectral_radius = 0.8};
     g_assert_true(tinker_plan_choose(g_ptr_array_index(islands, 0), &options, &choice, warnings, NULL));

@@ -285,9 +285,9 @@ static void test_unstable_step(void)
     physics_assert_refused(run, TINKER_MODEL_ERROR_RUN, "diverged", "impulse is stable up to a step of about 0.0014",
                            "or contact by events", NULL);
     g_assert_cmpuint(run->summary->warnings->len, >, 0);
-    g_assert_nonnull(strstr(g_ptr_array_index(run->summary->warnings, 0), "contacts as events"));
+    g_assert_nonnull(strstr(tinker_warnings_text(run->summary->warnings, 0), "contacts as events"));
     g_assert_nonnull(
-        strstr(g_ptr_array_index(run->summary->warnings, 0), "impulse is stable up to a step of 0.00141 s"));
+        strstr(tinker_warnings_text(run->summary->warnings, 0), "impulse is stable up to a step of 0.00141 s"));
 }
 
 /* --- several plates --- */

@@ -319,7 +319,7 @@ static int count_warnings(const PhysicsRun *run, const char *words)
 {
     int count = 0;
     for (guint i = 0; i < run->summary->warnings->len; i++)
-        if (strstr(g_ptr_array_index(run->summary->warnings, i), words) != NULL) count++;
+        if (strstr(tinker_warnings_text(run->summary->warnings, i), words) != NULL) count++;
     return count;
 }
 
@@ -332,12 +332,12 @@ static void test_warnings_once(void)
                     "{'type': 'rod', 'ends': ['Support 0', 'Mass 0']}, {'type': 'mass', 'position': [5, 5]},"
                     "{'type': 'spring', 'ends': ['Support 0', 'Mass 1']}, {'type': 'mass', 'position': [8, 5]}");
     for (guint i = 0; i < run->summary->warnings->len; i++)
-        g_test_message("%s", (char *)g_ptr_array_index(run->summary->warnings, i));
+        g_test_message("%s", tinker_warnings_text(run->summary->warnings, i));
     g_assert_cmpint(count_warnings(run, "velocities"), ==, 1);
     for (guint i = 0; i < run->summary->warnings->len; i++)
         for (guint k = 0; k < i; k++)
-            g_assert_cmpstr(g_ptr_array_index(run->summary->warnings, i), !=,
-                            g_ptr_array_index(run->summary->warnings, k));
+            g_assert_cmpstr(tinker_warnings_text(run->summary->warnings, i), !=,
+                            tinker_warnings_text(run->summary->warnings, k));
     g_assert_cmpuint(run->summary->events->len, ==, 1);
 }
 

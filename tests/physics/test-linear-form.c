@@ -1,15 +1,8 @@
 /* Motion along a line: where it is recognised, where it is not stable, and that it is the motion of the plane. */
-#include "physics-fixture.h"
+#include "one-island.h"
 
 #include "numerics/methods/integrators.h"
-#include "physics/compile/compile.h"
-#include "physics/island/island-run.h"
 #include "physics/line/linear-form.h"
-#include "physics/model/model.h"
-#include "physics/plan/islands.h"
-#include "physics/plan/plan.h"
-#include "physics/run/island-steps.h"
-#include "physics/system/summary.h"
 
 #include <math.h>
 #include <string.h>
@@ -201,41 +194,14 @@ static void test_free_chains(void)
 
 /* --- the same motion as in the plane --- */
 
-/* One island, stepped to the end along its line or, `plane`, with two coordinates a body. */
-typedef struct {
-    TinkerScene *scene;
-    TinkerModel *model;
-    GPtrArray *islands;
-    TinkerIsland island;
-    TinkerSummary whole;
-    TinkerIslandRun *run;
-} LineRun;
-
-static void line_run_clear(LineRun *self)
-{
-    tinker_island_run_free(self->run);
-    g_ptr_array_unref(self->whole.events);
-    g_ptr_array_unref(self->whole.warnings);
-    g_ptr_array_unref(self->islands);
-    tinker_model_free(self->model);
-    tinker_scene_free(self->scene);
-}
-G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC(LineRun, line_run_clear)
-
-static void line_run(LineRun *self, const char *blocks, const TinkerChoice *choice, gboolean plane, double end)
+/* Stepped to the end along its line or, `plane`, with two coordinates a body. */
+static void line_run(OneIsland *self, const char *blocks, const TinkerChoice *choice, gboolean plane, double end)
 {
     g_autoptr(GError) error = NULL;
-    self->model = compile(blocks, &self->scene);
-    self->islands = tinker_islands_new(self->model, &error);
-    g_assert_no_error(error);
-    g_assert_cmpuint(self->islands->len, ==, 1);
-    self->island = *(TinkerIsland *)g_ptr_array_index(self->islands, 0);
+    one_island_open(self, blocks);
     g_assert_nonnull(self->island.linear);
     if (plane) self->island.linear = NULL;
-    self->whole.events = g_ptr_array_new_with_free_func(g_free);
-    self->whole.warnings = g_ptr_array_new_with_free_func(g_free);
-    self->run = tinker_island_run_new(&self->island, choice, 0.8, end, &self->whole, &error);
-    g_assert_no_error(error);
+    one_island_start(self, choice, end);
     g_assert_cmpint(self->run->system.system.size, ==, (plane ? 2 : 1) * self->model->bodies);
     while (self->run->state.t < end)
         if (!tinker_island_run_step(self->run, end, &error)) break;
@@ -251,7 +217,7 @@ static gboolean is_adaptive(const TinkerIntegrator *method)
 }
 
 /* Adaptive methods weigh one coordinate a body otherwise than two, so that their steps differ. */
-static void assert_same_motion(const LineRun *line, const LineRun *plane, double bound)
+static void assert_same_motion(const OneIsland *line, const OneIsland *plane, double bound)
 {
     for (int32_t i = 0; i < line->model->coordinates; i++) {
         physics_assert_near("place", line->run->q[i], plane->run->q[i], bound);
@@ -272,7 +238,7 @@ static void test_as_in_the_plane(gconstpointer data)
     const TinkerChoice choice = {.method = method, .step = 0.01, .tolerance = 1e-13};
     for (gsize i = 0; i < G_N_ELEMENTS(angles); i++) {
         g_autofree char *blocks = line_scene(angles[i], "");
-        g_auto(LineRun) line = {0}, plane = {0};
+        g_auto(OneIsland) line = {0}, plane = {0};
         line_run(&line, blocks, &choice, FALSE, 4);
         line_run(&plane, blocks, &choice, TRUE, 4);
         assert_same_motion(&line, &plane, is_adaptive(method) ? 1e-11 : 1e-12);
@@ -360,7 +326,7 @@ static void test_through_anchor_as_in_the_plane(gconstpointer data)
 {
     const TinkerIntegrator *method = data;
     const TinkerChoice choice = {.method = method, .step = 1e-3, .tolerance = 1e-9};
-    g_auto(LineRun) line = {0}, plane = {0};
+    g_auto(OneIsland) line = {0}, plane = {0};
     line_run(&line, THROUGH, &choice, FALSE, 4);
     line_run(&plane, THROUGH, &choice, TRUE, 4);
     assert_same_motion(&line, &plane, is_adaptive(method) ? 1e-5 : 1e-10);

@@ -103,7 +103,7 @@ static void test_curved_ways(void)
 static gboolean tells(const PhysicsRun *run, const char *what)
 {
     for (guint i = 0; i < run->summary->warnings->len; i++)
-        if (strstr(g_ptr_array_index(run->summary->warnings, i), what) != NULL) return TRUE;
+        if (strstr(tinker_warnings_text(run->summary->warnings, i), what) != NULL) return TRUE;
     return FALSE;
 }
 

@@ -45,7 +45,7 @@ static void check_all_solved(gboolean tied)
         g_autoptr(PhysicsRun) run = physics_run(&options, "%s", blocks);
         const TinkerSummary *summary = run->summary;
         for (guint i = 0; i < summary->warnings->len; i++)
-            g_assert_null(strstr(g_ptr_array_index(summary->warnings, i), "before the impulses"));
+            g_assert_null(strstr(tinker_warnings_text(summary->warnings, i), "before the impulses"));
         const double end = summary->kinetic_end + summary->potential_end;
         g_assert_cmpfloat(end, <, summary->kinetic_start + summary->potential_start);
         g_assert_cmpfloat(summary->books[TINKER_BOOK_CONTACTS], <, 0);

@@ -327,7 +327,7 @@ static guint count_unsolved(const PhysicsRun *run)
 {
     guint count = 0;
     for (guint i = 0; i < run->summary->warnings->len; i++)
-        count += strstr(g_ptr_array_index(run->summary->warnings, i), "before the impulses") != NULL;
+        count += strstr(tinker_warnings_text(run->summary->warnings, i), "before the impulses") != NULL;
     return count;
 }
 

@@ -217,7 +217,7 @@ static void test_share(void)
                     " 0.3}, {'type': 'pin', 'ends': ['Support 0', 'Disc 0']}");
     gboolean told = FALSE;
     for (guint i = 0; i < run->summary->warnings->len; i++)
-        told |= strstr(g_ptr_array_index(run->summary->warnings, i), "share") != NULL;
+        told |= strstr(tinker_warnings_text(run->summary->warnings, i), "share") != NULL;
     g_assert_true(told);
 }
 
@@ -231,7 +231,7 @@ static void test_not_shared(void)
                     " 'position': [1, -1]}, {'type': 'rod', 'ends': [{'block': 'Bar 0', 'at': [0.5, 0]}, 'Mass 0']},"
                     "{'type': 'rod', 'ends': [{'block': 'Bar 0', 'at': [0.5, 0]}, 'Mass 0']}");
     for (guint i = 0; i < run->summary->warnings->len; i++)
-        g_assert_null(strstr(g_ptr_array_index(run->summary->warnings, i), "share"));
+        g_assert_null(strstr(tinker_warnings_text(run->summary->warnings, i), "share"));
 }
 
 /* A bar of m = 2 kg, l = 1 m about its end: a blow S at its middle gives w = S (l / 2) / (m l^2 / 3), as if the pin
@@ -251,7 +251,7 @@ static void test_struck(void)
     const GPtrArray *warnings = run->summary->warnings;
     g_assert_cmpuint(warnings->len, ==, 1);
     g_assert_true(
-        g_str_has_prefix(g_ptr_array_index(warnings, 0), "Pin 0: its friction takes no part in the blow at 1 s"));
+        g_str_has_prefix(tinker_warnings_text(warnings, 0), "Pin 0: its friction takes no part in the blow at 1 s"));
 }
 
 /* Runs for 2 s; the one warning has to be of a blow at that time, of Pin 0. */
@@ -261,7 +261,7 @@ static void assert_blow_at(double time, const char *blocks)
     const char *told = "Pin 0: its friction takes no part in the blow at ";
     const GPtrArray *warnings = run->summary->warnings;
     g_assert_cmpuint(warnings->len, ==, 1);
-    const char *warning = g_ptr_array_index(warnings, 0);
+    const char *warning = tinker_warnings_text(warnings, 0);
     g_assert_true(g_str_has_prefix(warning, told));
     physics_assert_near("told at", g_ascii_strtod(warning + strlen(told), NULL), time, 1e-5);
 }

@@ -18,13 +18,12 @@ static double asked(const PhysicsRun *run, const char *name)
 {
     double interval = 0;
     for (guint i = 0; i < run->summary->warnings->len; i++) {
-        const char *warning = g_ptr_array_index(run->summary->warnings, i);
-        double found;
-        g_autofree char *told = tinker_summary_told_of_samples(warning, &found);
-        if (told == NULL) continue;
-        g_assert_true(g_str_has_prefix(told, name));
+        const TinkerWarning *warning = g_ptr_array_index(run->summary->warnings, i);
+        if (warning->kind != TINKER_WARNING_SAMPLES) continue;
+        g_assert_true(g_str_has_prefix(warning->brief, name));
+        g_assert_true(g_str_has_prefix(warning->text, warning->brief));
         g_assert_cmpfloat(interval, ==, 0); /* once */
-        interval = found;
+        interval = warning->number;
     }
     return interval;
 }

@@ -7,7 +7,7 @@ static guint warnings_about(const PhysicsRun *run, const char *word)
 {
     guint count = 0;
     for (guint i = 0; i < run->summary->warnings->len; i++)
-        if (strstr(g_ptr_array_index(run->summary->warnings, i), word) != NULL) count++;
+        if (strstr(tinker_warnings_text(run->summary->warnings, i), word) != NULL) count++;
     return count;
 }
 
@@ -29,7 +29,7 @@ static void test_stiffening(void)
 {
     g_autoptr(PhysicsRun) run = thrown(0.004);
     for (guint i = 0; i < run->summary->warnings->len; i++)
-        g_test_message("%s", (const char *)g_ptr_array_index(run->summary->warnings, i));
+        g_test_message("%s", tinker_warnings_text(run->summary->warnings, i));
     if (run->error != NULL) g_test_message("%s", run->error->message);
     g_assert_cmpuint(warnings_about(run, "is stable up to a step of about"), ==, 1);
     g_assert_cmpuint(warnings_about(run, "has become stiffer"), ==, 1);

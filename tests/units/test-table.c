@@ -75,10 +75,6 @@ static void test_linear(void)
         for (int j = 0; j < 3; j++)
             g_assert_cmpfloat(result[j], ==, cases[i][2 + j]);
     }
-    double jump[2];
-    tinker_waveform_jump(evaluator, 2, jump);
-    g_assert_cmpfloat(jump[0], ==, 0);
-    g_assert_cmpfloat(jump[1], ==, -20);
     g_assert_cmpfloat(tinker_waveform_next_break(evaluator, 0, 10), ==, 1);
     g_assert_cmpfloat(tinker_waveform_next_break(evaluator, 1, 10), ==, 2);
     g_assert_cmpfloat(tinker_waveform_next_break(evaluator, 2, 4), ==, 4);

@@ -77,8 +77,8 @@ static double slope_of(const double f[PLACES], int degree, KitNearness nearness)
     return fabs(near - far) <= 5 * nearness.close * size ? near : NAN; // so the error is a third of what is allowed
 }
 
-double *kit_slopes(KitCheck *check, const KitFunction *function, int output, const KitState *state, KitMove move,
-                   int which, int degree, KitNearness nearness)
+double *kit_slopes(KitCheck *check, const KitFunction *function, const KitState *state, KitMove move, int which,
+                   int degree, KitNearness nearness)
 {
     g_autoptr(GPtrArray) answers = g_ptr_array_new_with_free_func((GDestroyNotify)kit_answer_free);
     for (gsize i = 0; i < PLACES; i++) {
@@ -88,12 +88,12 @@ double *kit_slopes(KitCheck *check, const KitFunction *function, int output, con
         if (answer == NULL) return NULL;
         g_ptr_array_add(answers, answer);
     }
-    const gsize entries = ((KitAnswer *)answers->pdata[0])->entries[output];
+    const gsize entries = ((KitAnswer *)answers->pdata[0])->entries[0];
     double *result = g_new(double, entries + 1);
     for (gsize i = 0; i < entries; i++) {
         double f[PLACES];
         for (int k = 0; k < PLACES; k++)
-            f[k] = ((KitAnswer *)answers->pdata[k])->values[output][i];
+            f[k] = ((KitAnswer *)answers->pdata[k])->values[0][i];
         result[i] = slope_of(f, degree, nearness);
     }
     return result;

@@ -25,9 +25,9 @@ typedef struct {
     double floor; /* what is smaller than this share of the value itself is rounding */
 } KitNearness;
 
-/* The derivative of a result by a move, first or second (`degree`), of every number of it; NAN where differences do not
- * tell it as nearly as that. NULL where the check is decided. (transfer full) */
-double *kit_slopes(KitCheck *check, const KitFunction *function, int output, const KitState *state, KitMove move,
-                   int which, int degree, KitNearness nearness);
+/* The derivative of the first result by a move, first or second (`degree`), of every number of it; NAN where
+ * differences do not tell it as nearly as that. NULL where the check is decided. (transfer full) */
+double *kit_slopes(KitCheck *check, const KitFunction *function, const KitState *state, KitMove move, int which,
+                   int degree, KitNearness nearness);
 
 #endif

@@ -47,7 +47,7 @@ void kit_law_compare_torques(KitCheck *check, const TinkerBlockLaw *law, const K
         g_autofree char *digits = ends > 1 ? g_strdup_printf("%d", k + 1) : g_strdup("");
         g_autofree char *name = g_strconcat("torque", digits, NULL), *by = g_strconcat("theta", digits, NULL);
         const TinkerExpression *is = tinker_block_law_find(law, name);
-        g_autoptr(TinkerExpression) slope = is == NULL ? kit_law_slope(law, "potential", by) : NULL;
+        g_autoptr(TinkerExpression) slope = is == NULL ? kit_law_slope(law, by) : NULL;
         double lost = 0, expected = 0;
         if (is != NULL)
             expected = kit_law_value(&place, is, &lost);

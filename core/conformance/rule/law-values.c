@@ -121,9 +121,9 @@ static TinkerExpression *through_steps(const char *symbol, void *data)
     return step != NULL ? tinker_expression_derivative(step, through_steps, data) : NULL;
 }
 
-TinkerExpression *kit_law_slope(const TinkerBlockLaw *law, const char *equation, const char *by)
+TinkerExpression *kit_law_slope(const TinkerBlockLaw *law, const char *by)
 {
-    const TinkerExpression *is = tinker_block_law_find(law, equation);
+    const TinkerExpression *is = tinker_block_law_find(law, "potential");
     Gradient gradient = {law, by};
     return is != NULL ? tinker_expression_derivative(is, through_steps, &gradient) : NULL;
 }
@@ -138,6 +138,6 @@ TinkerExpression *kit_law_stated(const TinkerBlockLaw *law, int32_t component, i
     if (tinker_block_law_find(law, turn) != NULL) return tinker_expression_number(0);
     g_autofree char *by = count > 1 ? g_strdup_printf("%c%d", component == 0 ? 'x' : 'y', number + 1)
                                     : g_strdup(component == 0 ? "x" : "y");
-    TinkerExpression *slope = kit_law_slope(law, "potential", by);
+    TinkerExpression *slope = kit_law_slope(law, by);
     return slope != NULL ? tinker_expression_negated(slope) : NULL;
 }

@@ -25,8 +25,8 @@ gboolean kit_law_turns_support(const TinkerBlockLaw *law);
 /* What its role asks for, as a law would say it: number `component` of the end or row `number`. (transfer full) */
 char *kit_law_name(const TinkerBlockLaw *law, int32_t component, int32_t number, int32_t count);
 
-/* The derivative of one of its equations by a symbol; NULL: it does not state it. (transfer full) */
-TinkerExpression *kit_law_slope(const TinkerBlockLaw *law, const char *equation, const char *by);
+/* The derivative of its potential by a symbol; NULL: it does not state one. (transfer full) */
+TinkerExpression *kit_law_slope(const TinkerBlockLaw *law, const char *by);
 
 /* The expression, or minus the gradient of the potential where the law leaves it at that; NULL: it does not say.
  * (transfer full) */

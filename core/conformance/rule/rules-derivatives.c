@@ -7,10 +7,10 @@
 
 static const KitNearness nearness = {.close = 2e-6, .floor = 1e-3};
 
-static double *slopes(KitCheck *check, const KitFunction *function, int output, const KitState *state, KitMove move,
-                      int which, int degree)
+static double *slopes(KitCheck *check, const KitFunction *function, const KitState *state, KitMove move, int which,
+                      int degree)
 {
-    return kit_slopes(check, function, output, state, move, which, degree, nearness);
+    return kit_slopes(check, function, state, move, which, degree, nearness);
 }
 
 /* One number against its slope. `number` is that of the instance, or of the body that a field acts on; `size` is what
@@ -33,7 +33,7 @@ static void try_line(KitCheck *check, const GArray *functions, const KitState *s
                       *tension = kit_function(functions, "tension");
     g_autoptr(KitAnswer) given = kit_call_well(check, derivatives, state), at = kit_call_well(check, tension, state);
     for (int which = 0; which < 2 && given != NULL && at != NULL; which++) {
-        g_autofree double *slope = slopes(check, tension, 0, state, kit_move_line, which, 1);
+        g_autofree double *slope = slopes(check, tension, state, kit_move_line, which, 1);
         for (int32_t i = 0; slope != NULL && i < state->count; i++)
             compare(check, state, i, which == 0 ? "by_length" : "by_rate", given->values[which][i], slope[i],
                     1e-3 * fabs(at->values[0][i]), compared);
@@ -45,7 +45,7 @@ static void try_field(KitCheck *check, const GArray *functions, const KitState *
     const KitFunction *derivatives = kit_function(functions, "derivatives"), *force = kit_function(functions, "force");
     g_autoptr(KitAnswer) given = kit_call_well(check, derivatives, state), at = kit_call_well(check, force, state);
     for (int which = 0; which < 4 * state->body_count && given != NULL && at != NULL && !kit_decided(check); which++) {
-        g_autofree double *slope = slopes(check, force, 0, state, kit_move_body, which, 1);
+        g_autofree double *slope = slopes(check, force, state, kit_move_body, which, 1);
         const int body = which / 4, part = which % 4;
         for (int row = 0; slope != NULL && row < 2; row++) {
             g_autofree char *what = g_strdup_printf("jacobian[%d]", (part < 2 ? 0 : 4) + 2 * row + part % 2);
@@ -65,7 +65,7 @@ static void try_ends(KitCheck *check, const GArray *functions, const KitState *s
     for (int32_t i = 0; i < state->count; i++)
         most = MAX(most, state->offsets[i + 1] - state->offsets[i]);
     for (int which = 0; given != NULL && which < 2 * most && !kit_decided(check); which++) {
-        g_autofree double *slope = slopes(check, rows, 0, state, kit_move_end, which, 1);
+        g_autofree double *slope = slopes(check, rows, state, kit_move_end, which, 1);
         for (int32_t i = 0; slope != NULL && i < state->count; i++) {
             const int32_t ends = state->offsets[i + 1] - state->offsets[i];
             if (which / 2 >= ends) continue;
@@ -87,7 +87,7 @@ static void try_turns(KitCheck *check, const GArray *functions, const KitState *
     for (int32_t i = 0; i < state->count; i++)
         most = MAX(most, state->offsets[i + 1] - state->offsets[i]);
     for (int which = 0; given != NULL && which < most && !kit_decided(check); which++) {
-        g_autofree double *slope = slopes(check, rows, 0, state, kit_turn_end, which, 1);
+        g_autofree double *slope = slopes(check, rows, state, kit_turn_end, which, 1);
         for (int32_t i = 0; slope != NULL && i < state->count; i++) {
             const int32_t ends = state->offsets[i + 1] - state->offsets[i];
             for (int32_t r = 0; which < ends && r < row_count; r++) {
@@ -109,8 +109,8 @@ static void try_drift(KitCheck *check, const GArray *functions, const KitState *
 {
     const KitFunction *rows = kit_function(functions, "rows_at"), *rate = kit_function(functions, "prescribed_rate");
     g_autoptr(KitAnswer) given = kit_call_well(check, rows, state);
-    g_autofree double *bend = given == NULL ? NULL : slopes(check, rows, 0, state, kit_go_on, 1, 2);
-    g_autofree double *slope = bend == NULL ? NULL : slopes(check, rows, 0, state, kit_go_on, 0, 1);
+    g_autofree double *bend = given == NULL ? NULL : slopes(check, rows, state, kit_go_on, 1, 2);
+    g_autofree double *slope = bend == NULL ? NULL : slopes(check, rows, state, kit_go_on, 0, 1);
     g_autoptr(KitAnswer) told = slope == NULL || rate == NULL ? NULL : kit_call_well(check, rate, state);
     const int32_t row_count = kit_state_rows(state);
     for (int32_t k = 0; slope != NULL && k < row_count * state->count; k++) {
@@ -124,8 +124,8 @@ static void try_motion(KitCheck *check, const GArray *functions, const KitState 
 {
     const KitFunction *motion = kit_function(functions, "motion");
     g_autoptr(KitAnswer) given = kit_call_well(check, motion, state);
-    g_autofree double *first = given == NULL ? NULL : slopes(check, motion, 0, state, kit_go_on, 0, 1);
-    g_autofree double *second = first == NULL ? NULL : slopes(check, motion, 0, state, kit_go_on, 0, 2);
+    g_autofree double *first = given == NULL ? NULL : slopes(check, motion, state, kit_go_on, 0, 1);
+    g_autofree double *second = first == NULL ? NULL : slopes(check, motion, state, kit_go_on, 0, 2);
     for (int32_t k = 0; second != NULL && k < 2 * state->count; k++) {
         compare(check, state, k / 2, k % 2 == 0 ? "the x velocity" : "the y velocity", given->values[1][k], first[k],
                 1e-3, compared);
@@ -138,8 +138,8 @@ static void try_rotation(KitCheck *check, const GArray *functions, const KitStat
 {
     const KitFunction *rotation = kit_function(functions, "rotation");
     g_autoptr(KitAnswer) given = kit_call_well(check, rotation, state);
-    g_autofree double *first = given == NULL ? NULL : slopes(check, rotation, 0, state, kit_go_on, 0, 1);
-    g_autofree double *second = first == NULL ? NULL : slopes(check, rotation, 0, state, kit_go_on, 0, 2);
+    g_autofree double *first = given == NULL ? NULL : slopes(check, rotation, state, kit_go_on, 0, 1);
+    g_autofree double *second = first == NULL ? NULL : slopes(check, rotation, state, kit_go_on, 0, 2);
     for (int32_t i = 0; second != NULL && i < state->count; i++) {
         compare(check, state, i, "the rate", given->values[0][3 * i + 1], first[3 * i], 1e-3, compared);
         compare(check, state, i, "the angular acceleration", given->values[0][3 * i + 2], second[3 * i], 1e-3,

@@ -36,10 +36,10 @@ typedef struct {
     char *not_finite; /* a helper that was given a number that is not finite, with the numbers; or NULL */
 } Picture;
 
-static double meaning(const Picture *picture, int32_t number, int component, double otherwise)
+static double meaning(const Picture *picture, int32_t number, int component)
 {
     const int32_t column = tinker_block_class_meaning_column(picture->state->block_class, number);
-    return column < 0 ? otherwise : picture->columns[column + component];
+    return column < 0 ? 0 : picture->columns[column + component];
 }
 
 typedef void (*Look)(KitCheck *check, const Picture *picture);
@@ -70,9 +70,9 @@ static void set_instance(KitCheck *check, Picture *picture, Look look)
                                          .name = "Block 0",
                                          .columns = picture->columns,
                                          .end = picture->ends,
-                                         .x = body ? meaning(picture, TINKER_MEANING_POSITION, 0, 0) : x,
-                                         .y = body ? meaning(picture, TINKER_MEANING_POSITION, 1, 0) : y,
-                                         .orientation = meaning(picture, TINKER_MEANING_ORIENTATION, 0, 0),
+                                         .x = body ? meaning(picture, TINKER_MEANING_POSITION, 0) : x,
+                                         .y = body ? meaning(picture, TINKER_MEANING_POSITION, 1) : y,
+                                         .orientation = meaning(picture, TINKER_MEANING_ORIENTATION, 0),
                                          .time = state->time,
                                          .symbol_size = SYMBOL};
     picture->instance.point_lists = kit_sample_points(state->block_class, &picture->instance.point_list_count);
@@ -93,8 +93,7 @@ static void find_bounds(Picture *picture, const TinkerRender *render)
         render->bounds(at, style, picture->bounds);
         return;
     }
-    const double size =
-        hypot(meaning(picture, TINKER_MEANING_WIDTH, 0, 0), meaning(picture, TINKER_MEANING_HEIGHT, 0, 0));
+    const double size = hypot(meaning(picture, TINKER_MEANING_WIDTH, 0), meaning(picture, TINKER_MEANING_HEIGHT, 0));
     tinker_bounds_clear(picture->bounds);
     for (int32_t k = 0; k < at->ends; k++)
         tinker_bounds_add(picture->bounds, at->end[k].x, at->end[k].y, tinker_drawing_margin(style));

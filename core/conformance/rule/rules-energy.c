@@ -40,7 +40,7 @@ static void compare_turns(KitCheck *check, const KitFunction *force, const KitFu
     for (int32_t i = 0; force->output_count > 1 && i < state->count; i++)
         most = MAX(most, state->offsets[i + 1] - state->offsets[i]);
     for (int which = 0; which < most && !kit_decided(check); which++) {
-        g_autofree double *slope = kit_slopes(check, energy, 0, state, kit_turn_end, which, 1, nearness);
+        g_autofree double *slope = kit_slopes(check, energy, state, kit_turn_end, which, 1, nearness);
         for (int32_t i = 0; slope != NULL && i < state->count && !kit_decided(check); i++) {
             const int32_t end = state->offsets[i] + which;
             if (end >= state->offsets[i + 1] || isnan(slope[i])) continue;
@@ -78,7 +78,7 @@ static void compare_along(KitCheck *check, const KitFunction *force, const KitFu
     const KitExtent extent = force->outputs[0].extent;
     const KitMove move = extent == KIT_INSTANCES ? kit_move_line : extent == KIT_ENDS ? kit_move_end : kit_move_body;
     const int coordinate = extent == KIT_BODIES ? which / 2 * 4 + which % 2 : which;
-    g_autofree double *slope = kit_slopes(check, energy, 0, state, move, coordinate, 1, nearness);
+    g_autofree double *slope = kit_slopes(check, energy, state, move, coordinate, 1, nearness);
     if (slope == NULL) return;
     if (extent == KIT_BODIES) {
         compare(check, force, state, forces, (gsize)which, slope[0], stored->values[0][0], compared);

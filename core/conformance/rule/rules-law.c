@@ -51,7 +51,7 @@ static void compare_potential(KitCheck *check, const TinkerBlockLaw *law, const 
     for (int c = 0; c < (line ? 1 : 2) && !kit_decided(check); c++) {
         g_autofree char *name = kit_law_name(law, c, 0, 1);
         const TinkerExpression *force = tinker_block_law_find(law, name);
-        g_autoptr(TinkerExpression) slope = kit_law_slope(law, "potential", line ? "L" : coordinates[c]);
+        g_autoptr(TinkerExpression) slope = kit_law_slope(law, line ? "L" : coordinates[c]);
         if (slope == NULL || force == NULL) continue;
         const KitLawPlace place = {.law = law, .state = state, .instance = instance, .at_rest = TRUE};
         double lost = 0;

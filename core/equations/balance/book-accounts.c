@@ -79,37 +79,23 @@ void tinker_book_add_motion(TinkerBookKeeper *keeper, const TinkerModelState *st
     books->angular[which] = sum.angular;
 }
 
-static void add_share(TinkerBookEntry *entry, const TinkerBookShare *share, gboolean rubs)
+/* sum += factor * share */
+static void add_share(TinkerBookShare *sum, double factor, const TinkerBookShare *share)
 {
-    entry->work += share->work;
-    entry->angular += share->angular;
+    sum->work += factor * share->work;
+    sum->angular += factor * share->angular;
     for (int axis = 0; axis < 2; axis++) {
-        entry->force[axis] += share->force[axis];
-        entry->impulse[axis] += share->impulse[axis];
-    }
-    if (!rubs) return;
-    entry->rubs = TRUE;
-    entry->friction.work += share->work;
-    entry->friction.angular += share->angular;
-    for (int axis = 0; axis < 2; axis++) {
-        entry->friction.force[axis] += share->force[axis];
-        entry->friction.impulse[axis] += share->impulse[axis];
+        sum->force[axis] += factor * share->force[axis];
+        sum->impulse[axis] += factor * share->impulse[axis];
     }
 }
 
 int tinker_book_parts(const TinkerBookEntry *entry, TinkerBookShare parts[2])
 {
-    parts[0] = (TinkerBookShare){.work = entry->work, .angular = entry->angular};
-    memcpy(parts[0].force, entry->force, sizeof entry->force);
-    memcpy(parts[0].impulse, entry->impulse, sizeof entry->impulse);
+    parts[0] = entry->all;
     if (!entry->rubs) return 1;
     parts[1] = entry->friction;
-    parts[0].work -= parts[1].work;
-    parts[0].angular -= parts[1].angular;
-    for (int axis = 0; axis < 2; axis++) {
-        parts[0].force[axis] -= parts[1].force[axis];
-        parts[0].impulse[axis] -= parts[1].impulse[axis];
-    }
+    add_share(&parts[0], -1, &parts[1]);
     return 2;
 }
 
@@ -142,7 +128,11 @@ void tinker_book_add_forces(TinkerBookKeeper *keeper, const TinkerModelState *st
                                        .work = weight * power,
                                        .impulse = {weight * force->fx, weight * force->fy},
                                        .angular = weight * moment};
-        add_share(&account->entry, &share, force->kind == TINKER_ACTING_FRICTION && hypot(force->fx, force->fy) > 0);
+        add_share(&account->entry.all, 1, &share);
+        if (force->kind == TINKER_ACTING_FRICTION && hypot(force->fx, force->fy) > 0) {
+            account->entry.rubs = TRUE;
+            add_share(&account->entry.friction, 1, &share);
+        }
         account->work += weight * fabs(power);
         account->impulse += weight * hypot(force->fx, force->fy);
         account->angular += weight * fabs(moment);
@@ -158,19 +148,19 @@ void tinker_book_conclude(TinkerBookKeeper *keeper)
         const TinkerBlockId block = tinker_scene_block_at(keeper->scene, i);
         TinkerBookAccount *account = &g_array_index(keeper->accounts, TinkerBookAccount, block);
         if (account->entry.by != block) continue;
-        if (fabs(account->entry.angular) > CANCELS * account->angular) account->entry.inner = FALSE;
+        if (fabs(account->entry.all.angular) > CANCELS * account->angular) account->entry.inner = FALSE;
         g_array_append_val(books->entries, account->entry);
         sums[0] += account->work;
         sums[1] += account->impulse;
         sums[2] += account->angular;
-        work += account->entry.work;
+        work += account->entry.all.work;
         if (account->entry.inner) continue;
-        forces += hypot(account->entry.force[0], account->entry.force[1]);
+        forces += hypot(account->entry.all.force[0], account->entry.all.force[1]);
         for (int axis = 0; axis < 2; axis++) {
-            force[axis] += account->entry.force[axis];
-            impulse[axis] += account->entry.impulse[axis];
+            force[axis] += account->entry.all.force[axis];
+            impulse[axis] += account->entry.all.impulse[axis];
         }
-        angular += account->entry.angular;
+        angular += account->entry.all.angular;
     }
     const double px = books->momentum[1][0] - books->momentum[0][0] - impulse[0],
                  py = books->momentum[1][1] - books->momentum[0][1] - impulse[1];

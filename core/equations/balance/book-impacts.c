@@ -44,10 +44,10 @@ static void add_impact(TinkerBookKeeper *keeper, const TinkerBookBody *body, con
     g_array_append_val(keeper->books->impacts, impact);
     if (by < 0) return;
     TinkerBookAccount *account = tinker_book_account(keeper, by);
-    account->entry.work += impact.work;
-    account->entry.impulse[0] += px;
-    account->entry.impulse[1] += py;
-    account->entry.angular += angular;
+    account->entry.all.work += impact.work;
+    account->entry.all.impulse[0] += px;
+    account->entry.all.impulse[1] += py;
+    account->entry.all.angular += angular;
     account->work += fabs(impact.work);
     account->impulse += hypot(px, py);
     account->angular += fabs(angular);

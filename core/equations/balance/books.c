@@ -161,10 +161,10 @@ static double change_of(const TinkerBooks *books, const GArray *before)
     for (guint i = 0; i < before->len; i++) {
         const TinkerBookEntry *a = &g_array_index(before, TinkerBookEntry, i),
                               *b = &g_array_index(books->entries, TinkerBookEntry, i);
-        const double impulse = hypot(a->impulse[0] - b->impulse[0], a->impulse[1] - b->impulse[1]);
-        change = fmax(change, fabs(a->work - b->work) / (books->energy.scale + 1e-300));
+        const double impulse = hypot(a->all.impulse[0] - b->all.impulse[0], a->all.impulse[1] - b->all.impulse[1]);
+        change = fmax(change, fabs(a->all.work - b->all.work) / (books->energy.scale + 1e-300));
         change = fmax(change, impulse / (books->impulse.scale + 1e-300));
-        change = fmax(change, fabs(a->angular - b->angular) / (books->moment.scale + 1e-300));
+        change = fmax(change, fabs(a->all.angular - b->all.angular) / (books->moment.scale + 1e-300));
     }
     return change;
 }

@@ -23,13 +23,10 @@ typedef struct {
 /* What one block did. */
 typedef struct {
     TinkerBlockId by;
-    gboolean inner;           /* it acts between the bodies: its forces cancel, and only its work counts */
-    double force[2];          /* N, at the end */
-    double work;              /* J */
-    double impulse[2];        /* N s */
-    double angular;           /* N m s, about the point */
+    gboolean inner; /* it acts between the bodies: its forces cancel, and only its work counts */
+    TinkerBookShare all;
     gboolean rubs;            /* it touches, and friction did something: */
-    TinkerBookShare friction; /* of all this by friction; the rest is of normal forces, and of impacts */
+    TinkerBookShare friction; /* of all this; the rest is of normal forces, and of impacts */
 } TinkerBookEntry;
 
 typedef struct {

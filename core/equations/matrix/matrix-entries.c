@@ -27,11 +27,10 @@ static const TinkerMatrixCoordinate *coordinate_at(const TinkerMatrixBuilder *bu
 static void add(TinkerMatrixBuilder *builder, TinkerMatrixKind kind, guint number, TinkerExpression *more)
 {
     TinkerMatrixIsland *island = builder->island;
-    GPtrArray *const matrices[] = {island->mass, island->damping, island->stiffness};
     if (island->sparse[kind] != NULL)
         tinker_matrix_sparse_add(island, kind, number, more);
     else
-        matrices[kind]->pdata[number] = tinker_expression_plus(matrices[kind]->pdata[number], more);
+        island->matrices[kind]->pdata[number] = tinker_expression_plus(island->matrices[kind]->pdata[number], more);
 }
 
 static void add_load(TinkerMatrixBuilder *builder, guint number, TinkerExpression *more)

@@ -24,7 +24,6 @@ static int by_number(const void *left, const void *right)
 
 void tinker_matrix_each(const TinkerMatrixIsland *island, TinkerMatrixKind kind, TinkerMatrixFunc func, void *data)
 {
-    const GPtrArray *const matrices[] = {island->mass, island->damping, island->stiffness};
     const guint n = island->coordinates->len;
     guint count = n * n;
     g_autofree gpointer *numbers = NULL;
@@ -35,7 +34,7 @@ void tinker_matrix_each(const TinkerMatrixIsland *island, TinkerMatrixKind kind,
     for (guint i = 0; i < count; i++) {
         const guint number = numbers != NULL ? GPOINTER_TO_UINT(numbers[i]) : i;
         const TinkerExpression *entry = numbers != NULL ? g_hash_table_lookup(island->sparse[kind], numbers[i])
-                                                        : g_ptr_array_index(matrices[kind], i);
+                                                        : g_ptr_array_index(island->matrices[kind], i);
         if (!tinker_expression_is_number(entry, 0)) func(number / n, number % n, entry, data);
     }
 }

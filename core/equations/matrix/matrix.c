@@ -33,11 +33,11 @@ static void coordinate_clear(void *data)
 static void island_free(void *data)
 {
     TinkerMatrixIsland *island = data;
-    GPtrArray *const entries[] = {island->mass, island->damping, island->stiffness, island->load};
-    for (gsize i = 0; i < G_N_ELEMENTS(entries); i++)
-        if (entries[i] != NULL) g_ptr_array_unref(entries[i]);
-    for (int kind = 0; kind < TINKER_MATRICES; kind++)
+    for (int kind = 0; kind < TINKER_MATRICES; kind++) {
+        g_clear_pointer(&island->matrices[kind], g_ptr_array_unref);
         g_clear_pointer(&island->sparse[kind], g_hash_table_unref);
+    }
+    g_clear_pointer(&island->load, g_ptr_array_unref);
     g_array_unref(island->blocks);
     g_array_unref(island->coordinates);
     g_free(island->omega);
@@ -91,9 +91,8 @@ static gboolean write_island(TinkerMatrixBuilder *builder, const TinkerIslandPla
     if (n > MOST_DENSE) {
         tinker_matrix_sparse_init(builder->island);
     } else {
-        builder->island->mass = zeros(n * n);
-        builder->island->damping = zeros(n * n);
-        builder->island->stiffness = zeros(n * n);
+        for (int kind = 0; kind < TINKER_MATRICES; kind++)
+            builder->island->matrices[kind] = zeros(n * n);
     }
     builder->island->load = zeros(n);
     for (guint i = 0; i < n; i++)

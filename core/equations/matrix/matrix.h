@@ -21,7 +21,7 @@ typedef enum { TINKER_MATRIX_MASS, TINKER_MATRIX_DAMPING, TINKER_MATRIX_STIFFNES
 typedef struct {
     GArray *blocks;      /* of TinkerBlockId: bodies, then what acts on them */
     GArray *coordinates; /* of TinkerMatrixCoordinate */
-    GPtrArray *mass, *damping, *stiffness, *load;
+    GPtrArray *matrices[TINKER_MATRICES], *load;
     GHashTable *sparse[TINKER_MATRICES]; /* in the place of these of many coordinates: see tinker_matrix_each */
     gboolean about_rest;                 /* K is regular: constant loads are in `about` */
     /* of pairs of roots s: omega^2 = s1 s2, 2 zeta omega = -(s1 + s2); of NAN there is none: */

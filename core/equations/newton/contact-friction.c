@@ -97,7 +97,7 @@ static void add_sticking(const TinkerContactTerms *terms, double share)
     tinker_writer_add_row(writer, contact->seat, tinker_expression_minus(place, from), tinker_length_dimension, name,
                           TRUE);
     tinker_writer_limit_row(writer,
-                            tinker_expression_times(friction_share(terms, TINKER_MEANING_STATIC_FRICTION, share, "µs"),
+                            tinker_expression_times(friction_share(terms, TINKER_MEANING_STATIC_FRICTION, share, "μs"),
                                                     copy(terms->normal)));
     tinker_contact_note_slopes(terms, TRUE);
     add_friction_terms(terms, friction);
@@ -108,8 +108,8 @@ static void add_sliding(const TinkerContactTerms *terms, double share, gboolean 
     const TinkerContactForce *contact = terms->contact;
     TinkerEquationWriter *writer = terms->writer;
     if (!(share > 0)) return;
-    TinkerExpression *coefficient = at_limit ? friction_share(terms, TINKER_MEANING_STATIC_FRICTION, share, "µs")
-                                             : friction_share(terms, TINKER_MEANING_DYNAMIC_FRICTION, share, "µd");
+    TinkerExpression *coefficient = at_limit ? friction_share(terms, TINKER_MEANING_STATIC_FRICTION, share, "μs")
+                                             : friction_share(terms, TINKER_MEANING_DYNAMIC_FRICTION, share, "μd");
     const char *name = tinker_contact_name(writer, contact, "σ", NULL);
     TinkerExpression *sign = tinker_writer_symbol(writer, name, contact->seat, direction, tinker_pure_dimension, NULL,
                                                   "direction of sliding");

@@ -67,7 +67,7 @@ static void count_surface(TinkerEquationWriter *writer, TinkerBlockId block)
     static const struct {
         int32_t meaning;
         const char *stem;
-    } coefficients[] = {{TINKER_MEANING_STATIC_FRICTION, "µs"}, {TINKER_MEANING_DYNAMIC_FRICTION, "µd"}};
+    } coefficients[] = {{TINKER_MEANING_STATIC_FRICTION, "μs"}, {TINKER_MEANING_DYNAMIC_FRICTION, "μd"}};
     for (gsize i = 0; i < G_N_ELEMENTS(coefficients); i++)
         if (!isnan(tinker_frame_meaning(writer->frame, block, coefficients[i].meaning, 0, NAN)))
             count_stem(writer, coefficients[i].stem);
@@ -78,7 +78,7 @@ static void count_stems(TinkerEquationWriter *writer, TinkerBlockId block, const
 {
     static const char *const of_bodies[] = {"m", "I", "x", "y", "θ", "h", "R", NULL};
     static const char *const of_supports[] = {"X",  "Y",  "φ",  "X0", "Y0", "φ0", "H", "N", "f",
-                                              "µs", "µd", "s0", "σ",  "r",  "a",  "M", NULL};
+                                              "μs", "μd", "s0", "σ",  "r",  "a",  "M", NULL};
     /* of what acts without a law, and of what moves so */
     static const char *const of_unwritten[] = {"F", "τ", NULL}, *const of_motions[] = {"u", NULL};
     static const char *const of_lines[] = {"L", "T", NULL}, *const of_constraints[] = {"L", "λ", NULL};

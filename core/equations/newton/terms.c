@@ -69,7 +69,7 @@ static char *index_of_unwritten(const TinkerEquationWriter *writer, TinkerBlockI
     guint acted_on = 0;
     for (guint i = 0; i < writer->equations->bodies->len; i++) {
         const TinkerBodyEquation *each = g_ptr_array_index(writer->equations->bodies, i);
-        acted_on += tinker_model_state_force(writer->state, block, each->block, -1, force);
+        acted_on += tinker_model_state_force(writer->state, block, each->block, force);
     }
     return acted_on > 1 ? g_strconcat(own, own[0] != '\0' && of_body[0] != '\0' ? "," : "", of_body, NULL) : NULL;
 }
@@ -81,7 +81,7 @@ void tinker_writer_add_unwritten(TinkerEquationWriter *writer, TinkerBlockId blo
     for (guint i = 0; i < writer->equations->bodies->len; i++) {
         const TinkerBodyEquation *body = g_ptr_array_index(writer->equations->bodies, i);
         double force[3];
-        if (!tinker_model_state_force(writer->state, block, body->block, -1, force)) continue;
+        if (!tinker_model_state_force(writer->state, block, body->block, force)) continue;
         const TinkerPointSymbols centre = {.block = body->block};
         g_autofree char *index = index_of_unwritten(writer, block, body->block);
         const Unwritten of = {block, index, why};

@@ -122,14 +122,13 @@ double tinker_model_state_nothing(const TinkerModelState *state, TinkerBlockId b
     return TINKER_FORCE_NOTHING * (moment ? moments : greatest);
 }
 
-gboolean tinker_model_state_force(const TinkerModelState *state, TinkerBlockId by, TinkerBlockId on, int kind,
-                                  double force[3])
+gboolean tinker_model_state_force(const TinkerModelState *state, TinkerBlockId by, TinkerBlockId on, double force[3])
 {
     gboolean any = FALSE;
     memset(force, 0, 3 * sizeof *force);
     for (guint i = 0; i < state->forces->len; i++) {
         const TinkerActingForce *acting = &g_array_index(state->forces, TinkerActingForce, i);
-        if (acting->by != by || (on >= 0 && acting->on != on) || (kind >= 0 && (int)acting->kind != kind)) continue;
+        if (acting->by != by || (on >= 0 && acting->on != on)) continue;
         force[0] += acting->fx;
         force[1] += acting->fy;
         force[2] += tinker_model_state_moment(state, acting);

@@ -43,10 +43,9 @@ double tinker_model_state_moment(const TinkerModelState *state, const TinkerActi
 /* What rounding alone may leave of a force on a body (N), or of a moment about its centre (N m). */
 double tinker_model_state_nothing(const TinkerModelState *state, TinkerBlockId body, gboolean moment);
 
-/* The sum of what `by` does to `on` (-1: to any block), of one kind (-1: of any): force, and moment about the centre of
- * each body. FALSE where there is nothing. */
-gboolean tinker_model_state_force(const TinkerModelState *state, TinkerBlockId by, TinkerBlockId on, int kind,
-                                  double force[3]);
+/* The sum of what `by` does to `on` (-1: to any block): force, and moment about the centre of each body. FALSE where
+ * there is nothing. */
+gboolean tinker_model_state_force(const TinkerModelState *state, TinkerBlockId by, TinkerBlockId on, double force[3]);
 
 /* What a block does at one of its ends: force, and torque beside that, or (where not NULL) about a place. FALSE where
  * there is nothing. */

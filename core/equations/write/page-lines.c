@@ -85,11 +85,10 @@ TinkerEquationLine *tinker_page_line_balance(TinkerPage *page)
     return line;
 }
 
-TinkerEquationLine *tinker_page_line_matrix(TinkerPage *page, char *left, guint rows, guint columns, char *comment)
+TinkerEquationLine *tinker_page_line_matrix(TinkerPage *page, char *left, guint rows, guint columns)
 {
     TinkerEquationLine *line = add_line(page);
     line->left = left;
-    line->comment = comment;
     line->matrix = g_new(TinkerLineMatrix, 1);
     *line->matrix = (TinkerLineMatrix){rows, columns, g_ptr_array_new_with_free_func((GDestroyNotify)g_array_unref)};
     for (guint i = 0; i < rows * columns; i++)

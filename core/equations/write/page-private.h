@@ -22,7 +22,7 @@ void tinker_page_heading(TinkerPage *page, const char *heading);
 /* left = right, and what it is; all are taken over. `comment` is plain text, and may be NULL. */
 void tinker_page_equation(TinkerPage *page, char *left, char *right, char *comment);
 
-/* left = right, of which the summands may stand in several lines; `left` and `comment` are taken over. */
+/* left = right, of which the summands may stand in several lines; `left` is taken over. */
 void tinker_page_equals(TinkerPage *page, char *left, const TinkerExpression *right, char *comment);
 
 /* sum = 0; as lines, which break on the right alone, 0 = sum. */
@@ -39,7 +39,7 @@ void tinker_page_line_terms(TinkerPage *page, TinkerBlockId block, TinkerTermKin
 
 /* A line with terms on both sides, none yet; one with a matrix, whose cells have none yet. Borrowed. */
 TinkerEquationLine *tinker_page_line_balance(TinkerPage *page);
-TinkerEquationLine *tinker_page_line_matrix(TinkerPage *page, char *left, guint rows, guint columns, char *comment);
+TinkerEquationLine *tinker_page_line_matrix(TinkerPage *page, char *left, guint rows, guint columns);
 
 /* A matrix, or a vector, by rows. */
 typedef struct {
@@ -48,13 +48,15 @@ typedef struct {
     TinkerDimension dimension;
 } TinkerPageMatrix;
 
-/* left = matrix, in brackets; `left` and `comment` are taken over. write-entries.c. */
-void tinker_page_matrix(TinkerPage *page, char *left, const TinkerPageMatrix *matrix, char *comment);
+/* left = matrix, in brackets; `left` is taken over. write-entries.c. */
+void tinker_page_matrix(TinkerPage *page, char *left, const TinkerPageMatrix *matrix);
 /* Adds the summands of factor times variable (NULL: 1) as terms, each of the block that its symbols are of, what acts
  * before what it acts on; the value of them all, times that of the variable, goes to the first, unless it is the number
  * 0. write-entries.c. */
 void tinker_page_add_terms(const TinkerPage *page, GArray *terms, const TinkerExpression *factor, const char *variable,
                            double variable_value, TinkerDimension dimension);
+/* "M", "C", "K". */
+extern const char *const page_matrix_letters[TINKER_MATRICES];
 /* The entries of a matrix that is too large to be written, by their kinds; write-patterns.c. */
 void tinker_page_pattern(TinkerPage *page, const TinkerMatrixIsland *island, TinkerMatrixKind kind);
 
@@ -81,6 +83,8 @@ char *tinker_page_expression(const TinkerPage *page, const TinkerExpression *exp
 /* As a factor of something. (transfer full) */
 char *tinker_page_factor(const TinkerPage *page, const TinkerExpression *expression);
 char *tinker_page_symbol(const TinkerPage *page, const char *name);
+/* A symbol that the page makes: a stem with an index, perhaps "", and dots. */
+char *tinker_page_written(const TinkerPage *page, const char *stem, const char *index, int dots);
 /* The symbol with so many dots more. */
 char *tinker_page_derivative(const TinkerPage *page, const char *name, int dots);
 /* A number with its unit. */

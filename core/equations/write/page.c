@@ -253,14 +253,24 @@ char *tinker_page_factor(const TinkerPage *page, const TinkerExpression *express
     return tinker_expression_typeset_factor(expression, page->format, tinker_equations_look, (void *)page->equations);
 }
 
-char *tinker_page_derivative(const TinkerPage *page, const char *name, int dots)
+static char *typeset_symbol(const TinkerPage *page, const TinkerSymbolLook *look)
 {
     GString *text = g_string_new(NULL);
+    tinker_symbol_typeset(text, look, page->format);
+    return g_string_free(text, FALSE);
+}
+
+char *tinker_page_written(const TinkerPage *page, const char *stem, const char *index, int dots)
+{
+    return typeset_symbol(page, &(TinkerSymbolLook){stem, index, dots, NULL});
+}
+
+char *tinker_page_derivative(const TinkerPage *page, const char *name, int dots)
+{
     TinkerSymbolLook look;
     tinker_equations_look(name, &look, (void *)page->equations);
     look.dots += dots;
-    tinker_symbol_typeset(text, &look, page->format);
-    return g_string_free(text, FALSE);
+    return typeset_symbol(page, &look);
 }
 
 char *tinker_page_symbol(const TinkerPage *page, const char *name)

@@ -71,12 +71,3 @@ void tinker_equations_put_angles(TinkerPage *page, const TinkerAngleForm *form, 
         tinker_page_heading(page, heading);
     }
 }
-
-char *tinker_equations_write_angles(const TinkerEquations *equations, const TinkerAngleForm *form,
-                                    const TinkerEquationsShown *shown)
-{
-    TinkerPage page;
-    tinker_page_begin(&page, shown->format, equations, shown->title);
-    tinker_equations_put_angles(&page, form, shown);
-    return tinker_page_end(&page);
-}

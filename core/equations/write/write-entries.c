@@ -130,13 +130,13 @@ static char *matrix_text(const TinkerPage *page, const TinkerPageMatrix *matrix)
     }
 }
 
-void tinker_page_matrix(TinkerPage *page, char *left, const TinkerPageMatrix *matrix, char *comment)
+void tinker_page_matrix(TinkerPage *page, char *left, const TinkerPageMatrix *matrix)
 {
     if (page->lines == NULL) {
-        tinker_page_equation(page, left, matrix_text(page, matrix), comment);
+        tinker_page_equation(page, left, matrix_text(page, matrix), NULL);
         return;
     }
-    const TinkerEquationLine *line = tinker_page_line_matrix(page, left, matrix->rows, matrix->columns, comment);
+    const TinkerEquationLine *line = tinker_page_line_matrix(page, left, matrix->rows, matrix->columns);
     for (guint i = 0; i < matrix->rows * matrix->columns; i++)
         tinker_page_add_terms(page, g_ptr_array_index(line->matrix->cells, i), matrix->entries[i], NULL, 1,
                               matrix->dimension);

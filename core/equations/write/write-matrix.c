@@ -21,11 +21,8 @@ static const TinkerMatrixCoordinate *coordinate_at(const TinkerMatrixIsland *isl
 /* q or q_1, with dots. */
 static char *coordinate(const TinkerPage *page, const TinkerMatrixIsland *island, guint number, int dots)
 {
-    GString *text = g_string_new(NULL);
     g_autofree char *index = island->coordinates->len == 1 ? g_strdup("") : g_strdup_printf("%u", number + 1);
-    const TinkerSymbolLook look = {"q", index, dots, NULL};
-    tinker_symbol_typeset(text, &look, page->format);
-    return g_string_free(text, FALSE);
+    return tinker_page_written(page, "q", index, dots);
 }
 
 /* "+ c q'" where the coefficient is not 0. */
@@ -45,11 +42,11 @@ static void add_term(GString *sum, const TinkerPage *page, const TinkerExpressio
 static void write_row(TinkerPage *page, const TinkerMatrixIsland *island, guint i)
 {
     const guint n = island->coordinates->len;
-    const GPtrArray *const matrices[] = {island->mass, island->damping, island->stiffness};
     GString *sum = g_string_new(NULL);
     for (int order = 0; order < 3; order++)
         for (guint k = 0; k < n; k++)
-            add_term(sum, page, g_ptr_array_index(matrices[order], i * n + k), coordinate(page, island, k, 2 - order));
+            add_term(sum, page, g_ptr_array_index(island->matrices[order], i * n + k),
+                     coordinate(page, island, k, 2 - order));
     tinker_page_equation(page, g_string_free(sum, FALSE),
                          tinker_page_expression(page, g_ptr_array_index(island->load, i)), NULL);
 }
@@ -76,14 +73,6 @@ static void write_coordinate(TinkerPage *page, const TinkerMatrixIsland *island,
                          g_strdup_printf(C_("equations", "at t = %g s"), page->equations->time));
 }
 
-static char *named(const TinkerPage *page, const char *stem, const char *index)
-{
-    GString *text = g_string_new(NULL);
-    const TinkerSymbolLook look = {stem, index, 0, NULL};
-    tinker_symbol_typeset(text, &look, page->format);
-    return g_string_free(text, FALSE);
-}
-
 /* The index of a root's ω; where a block has one with it, as a motor its frequency, with a 0 before. (transfer full) */
 static char *natural_index(const TinkerPage *page, const char *index)
 {
@@ -94,7 +83,7 @@ static char *natural_index(const TinkerPage *page, const char *index)
 static char *natural_name(const TinkerPage *page, const char *index)
 {
     g_autofree char *own = natural_index(page, index);
-    return named(page, "ω", own);
+    return tinker_page_written(page, "ω", own, 0);
 }
 
 /* The textbook's form of one coordinate: q'' + 2 ζ ω q' + ω^2 q = f / m. */
@@ -106,7 +95,7 @@ static void write_second_order(TinkerPage *page, const TinkerMatrixIsland *islan
     GString *sum = g_string_new(NULL);
     g_autofree char *q = coordinate(page, island, 0, 0), *speed = coordinate(page, island, 0, 1);
     g_autofree char *acceleration = coordinate(page, island, 0, 2);
-    g_autofree char *ratio = named(page, "ζ", ""), *natural = natural_name(page, "0");
+    g_autofree char *ratio = tinker_page_written(page, "ζ", "", 0), *natural = natural_name(page, "0");
     g_autofree char *index = natural_index(page, "0");
     g_autofree char *square = tinker_symbol_squared(&(TinkerSymbolLook){.stem = "ω", .index = index}, page->format);
     g_autoptr(TinkerExpression) two = tinker_expression_number(2);
@@ -117,7 +106,7 @@ static void write_second_order(TinkerPage *page, const TinkerMatrixIsland *islan
     g_string_append_printf(sum, "%s%s%s%s", plus, square, times, q);
     g_autoptr(TinkerExpression) load =
         tinker_expression_over(tinker_expression_ref(g_ptr_array_index(island->load, 0)),
-                               tinker_expression_ref(g_ptr_array_index(island->mass, 0)));
+                               tinker_expression_ref(g_ptr_array_index(island->matrices[TINKER_MATRIX_MASS], 0)));
     tinker_page_equation(page, g_string_free(sum, FALSE), tinker_page_expression(page, load), NULL);
 }
 
@@ -158,7 +147,7 @@ static void write_roots(TinkerPage *page, const TinkerMatrixForm *form, const Ti
                                               : g_strdup_printf("%u", pair_number(form, island, i));
         if (isnan(omega)) {
             tinker_page_equation(
-                page, named(page, "s", index),
+                page, tinker_page_written(page, "s", index, 0),
                 tinker_page_quantity(page, fmax(island->unstable[2 * i], island->unstable[2 * i + 1]), rate),
                 g_strdup(_("it is not stable: so fast it leaves its rest")));
             continue;
@@ -166,12 +155,13 @@ static void write_roots(TinkerPage *page, const TinkerMatrixForm *form, const Ti
         tinker_page_equation(page, natural_name(page, index), tinker_page_quantity(page, omega, frequency),
                              g_strdup(omega > 0 ? _("natural frequency") : _("nothing brings it back")));
         if (!isnan(zeta))
-            tinker_page_equation(page, named(page, "ζ", n == 1 ? "" : index), tinker_page_quantity(page, zeta, pure),
+            tinker_page_equation(page, tinker_page_written(page, "ζ", n == 1 ? "" : index, 0),
+                                 tinker_page_quantity(page, zeta, pure),
                                  g_strdup(zeta == 0  ? _("damping ratio: none")
                                           : zeta < 1 ? _("damping ratio: its swings die away")
                                                      : _("damping ratio: it creeps back")));
         if (!isnan(zeta) && fabs(zeta) < 1)
-            tinker_page_equation(page, named(page, "T", n == 1 ? "" : index),
+            tinker_page_equation(page, tinker_page_written(page, "T", n == 1 ? "" : index, 0),
                                  tinker_page_quantity(page, 2 * G_PI / (omega * sqrt(1 - zeta * zeta)), seconds),
                                  g_strdup(_("period")));
     }
@@ -205,6 +195,7 @@ static double velocity(const TinkerPage *page, const TinkerMatrixCoordinate *coo
 static Motion motion_of(const TinkerPage *page, const TinkerMatrixIsland *island)
 {
     Motion motion = {{{0}}};
+    const GPtrArray *const *matrices = (const GPtrArray *const *)island->matrices;
     const guint n = island->coordinates->len;
     for (guint i = 0; i < n; i++) {
         motion.at[1][i] = velocity(page, coordinate_at(island, i));
@@ -213,42 +204,45 @@ static Motion motion_of(const TinkerPage *page, const TinkerMatrixIsland *island
     for (guint i = 0; i < n; i++) {
         double sum = entry_value(page, island->load, i);
         for (guint k = 0; k < n; k++)
-            sum -= entry_value(page, island->damping, i * n + k) * motion.at[1][k] +
-                   entry_value(page, island->stiffness, i * n + k) * motion.at[2][k];
-        motion.at[0][i] = sum / entry_value(page, island->mass, i * n + i);
+            sum -= entry_value(page, matrices[TINKER_MATRIX_DAMPING], i * n + k) * motion.at[1][k] +
+                   entry_value(page, matrices[TINKER_MATRIX_STIFFNESS], i * n + k) * motion.at[2][k];
+        motion.at[0][i] = sum / entry_value(page, matrices[TINKER_MATRIX_MASS], i * n + i);
     }
     return motion;
 }
 
-/* The greatest of the values; those that rounding leaves beside `greatest` become 0. */
-static double settle_values(GArray *terms, double greatest)
+static double greatest_value(const GArray *terms)
 {
     double most = 0;
+    for (guint i = 0; i < terms->len; i++)
+        most = fmax(most, fabs(g_array_index(terms, TinkerLineTerm, i).value));
+    return most;
+}
+
+static void drop_rounding(GArray *terms, double greatest)
+{
     for (guint i = 0; i < terms->len; i++) {
         TinkerLineTerm *term = &g_array_index(terms, TinkerLineTerm, i);
         if (fabs(term->value) <= TINKER_FORCE_NOTHING * greatest) term->value = 0;
-        most = fmax(most, fabs(term->value));
     }
-    return most;
 }
 
 /* Row i for who shows it in parts, each of its block. */
 static void line_row(TinkerPage *page, const TinkerMatrixIsland *island, guint i, const Motion *motion)
 {
     const guint n = island->coordinates->len;
-    const GPtrArray *const matrices[] = {island->mass, island->damping, island->stiffness};
     const TinkerEquationLine *line = tinker_page_line_balance(page);
     for (int order = 0; order < 3; order++)
         for (guint k = 0; k < n; k++) {
-            const TinkerExpression *entry = g_ptr_array_index(matrices[order], i * n + k);
+            const TinkerExpression *entry = g_ptr_array_index(island->matrices[order], i * n + k);
             g_autofree char *variable = coordinate(page, island, k, 2 - order);
             if (!tinker_expression_is_number(entry, 0))
                 tinker_page_add_terms(page, line->left_terms, entry, variable, motion->at[order][k], force);
         }
     tinker_page_add_terms(page, line->terms, g_ptr_array_index(island->load, i), NULL, 1, force);
-    const double greatest = fmax(settle_values(line->left_terms, 0), settle_values(line->terms, 0));
-    settle_values(line->left_terms, greatest);
-    settle_values(line->terms, greatest);
+    const double greatest = fmax(greatest_value(line->left_terms), greatest_value(line->terms));
+    drop_rounding(line->left_terms, greatest);
+    drop_rounding(line->terms, greatest);
 }
 
 static void write_rows(TinkerPage *page, const TinkerMatrixIsland *island)
@@ -262,56 +256,44 @@ static void write_rows(TinkerPage *page, const TinkerMatrixIsland *island)
     }
 }
 
-/* A matrix or a vector by its letter, in bold where that can be told. */
-static char *lettered(const TinkerPage *page, const char *letter, int dots)
-{
-    GString *text = g_string_new(NULL);
-    const TinkerSymbolLook look = {letter, "", dots, NULL};
-    tinker_symbol_typeset(text, &look, page->format);
-    return g_string_free(text, FALSE);
-}
-
 static gboolean is_zero(const TinkerMatrixIsland *island, TinkerMatrixKind kind)
 {
-    const GPtrArray *const dense[] = {island->mass, island->damping, island->stiffness};
     if (island->sparse[kind] != NULL) return g_hash_table_size(island->sparse[kind]) == 0;
-    for (guint i = 0; i < dense[kind]->len; i++)
-        if (!tinker_expression_is_number(g_ptr_array_index(dense[kind], i), 0)) return FALSE;
+    for (guint i = 0; i < island->matrices[kind]->len; i++)
+        if (!tinker_expression_is_number(g_ptr_array_index(island->matrices[kind], i), 0)) return FALSE;
     return TRUE;
 }
 
 /* M q'' + C q' + K q = f, without what is 0. The comment is taken over. */
 static void write_whole(TinkerPage *page, const TinkerMatrixIsland *island, char *comment)
 {
-    static const char *const letters[] = {"M", "C", "K"};
     GString *sum = g_string_new(NULL);
     for (int kind = 0; kind < TINKER_MATRICES; kind++) {
         if (is_zero(island, kind)) continue;
-        g_autofree char *matrix = lettered(page, letters[kind], 0), *vector = lettered(page, "q", 2 - kind);
+        g_autofree char *matrix = tinker_page_written(page, page_matrix_letters[kind], "", 0),
+                        *vector = tinker_page_written(page, "q", "", 2 - kind);
         if (sum->len > 0) g_string_append(sum, tinker_typeset_sign(page->format, '+'));
         g_string_append_printf(sum, "%s%s%s", matrix, tinker_typeset_sign(page->format, '*'), vector);
     }
-    tinker_page_equation(page, g_string_free(sum, FALSE), lettered(page, "f", 0), comment);
+    tinker_page_equation(page, g_string_free(sum, FALSE), tinker_page_written(page, "f", "", 0), comment);
 }
 
 /* The matrices one below the other, as far as they are not 0. */
 static void write_matrices(TinkerPage *page, const TinkerMatrixIsland *island)
 {
-    static const char *const letters[] = {"M", "C", "K"};
     static const TinkerDimension dimensions[] = {{1, 0, 0, 0}, {1, 0, -1, 0}, {1, 0, -2, 0}};
-    const GPtrArray *const entries[] = {island->mass, island->damping, island->stiffness};
     const guint n = island->coordinates->len;
     write_whole(page, island, NULL);
     tinker_page_gap(page);
     for (int kind = 0; kind < TINKER_MATRICES; kind++) {
-        const TinkerPageMatrix matrix = {n, n, (const TinkerExpression *const *)(gpointer)entries[kind]->pdata,
+        const TinkerPageMatrix matrix = {n, n, (const TinkerExpression *const *)(gpointer)island->matrices[kind]->pdata,
                                          dimensions[kind]};
         if (is_zero(island, kind)) continue;
-        tinker_page_matrix(page, lettered(page, letters[kind], 0), &matrix, NULL);
+        tinker_page_matrix(page, tinker_page_written(page, page_matrix_letters[kind], "", 0), &matrix);
         tinker_page_gap(page);
     }
     const TinkerPageMatrix load = {n, 1, (const TinkerExpression *const *)(gpointer)island->load->pdata, force};
-    tinker_page_matrix(page, lettered(page, "f", 0), &load, NULL);
+    tinker_page_matrix(page, tinker_page_written(page, "f", "", 0), &load);
     tinker_page_gap(page);
 }
 
@@ -346,19 +328,24 @@ static void write_island(TinkerPage *page, const TinkerMatrixForm *form, const T
     write_roots(page, form, island);
 }
 
+static void mark_all(TinkerPage *page, const GPtrArray *entries, GHashTable *needed)
+{
+    for (guint i = 0; i < entries->len; i++)
+        tinker_equations_mark(page->equations, g_ptr_array_index(entries, i), needed);
+}
+
 /* What the symbols of all islands stand for. */
 static void write_names(TinkerPage *page, const TinkerMatrixForm *form)
 {
     g_autoptr(GHashTable) needed = g_hash_table_new(g_str_hash, g_str_equal);
     for (guint i = 0; i < form->islands->len; i++) {
         const TinkerMatrixIsland *island = g_ptr_array_index(form->islands, i);
-        const GPtrArray *const lists[] = {island->mass, island->damping, island->stiffness, island->load};
         if (island->coordinates->len > MOST_WRITTEN) continue;
         for (guint k = 0; k < island->coordinates->len; k++)
             tinker_equations_mark(page->equations, coordinate_at(island, k)->is, needed);
-        for (gsize k = 0; k < G_N_ELEMENTS(lists); k++)
-            for (guint e = 0; e < lists[k]->len; e++)
-                tinker_equations_mark(page->equations, g_ptr_array_index(lists[k], e), needed);
+        for (int kind = 0; kind < TINKER_MATRICES; kind++)
+            mark_all(page, island->matrices[kind], needed);
+        mark_all(page, island->load, needed);
     }
     tinker_page_names(page, needed);
 }
@@ -389,13 +376,4 @@ void tinker_equations_put_matrix(TinkerPage *page, const TinkerMatrixForm *form,
             tinker_page_words(reason->why));
         tinker_page_heading(page, heading);
     }
-}
-
-char *tinker_equations_write_matrix(const TinkerEquations *equations, const TinkerMatrixForm *form,
-                                    const TinkerEquationsShown *shown)
-{
-    TinkerPage page;
-    tinker_page_begin(&page, shown->format, equations, shown->title);
-    tinker_equations_put_matrix(&page, form, shown);
-    return tinker_page_end(&page);
 }

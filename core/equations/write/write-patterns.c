@@ -10,7 +10,7 @@
 #define MOST_KINDS 6    /* that are told apart */
 #define SAME       1e-9 /* of a value, between those that are one */
 
-static const char *const names[TINKER_MATRICES] = {"M", "C", "K"};
+const char *const page_matrix_letters[TINKER_MATRICES] = {"M", "C", "K"};
 
 /* Entries that look alike, so far from the diagonal. */
 typedef struct {
@@ -107,7 +107,7 @@ static int in_order(const void *left, const void *right)
 /* "K is tridiagonal, 1000 by 1000, with 2998 entries". (transfer full) */
 static char *shape_of(const Pattern *pattern, TinkerMatrixKind kind, guint n)
 {
-    const char *name = names[kind];
+    const char *name = page_matrix_letters[kind];
     if (pattern->count == 0) return g_strdup_printf(_("%s is 0"), name);
     if (pattern->band == 0)
         return g_strdup_printf(_("%s is diagonal, %u × %u, with %u entries"), name, n, n, pattern->count);
@@ -120,11 +120,8 @@ static char *shape_of(const Pattern *pattern, TinkerMatrixKind kind, guint n)
 /* K with "i, i" or "i, i ± 2" beneath it. (transfer full) */
 static char *entry_name(const TinkerPage *page, TinkerMatrixKind kind, guint off)
 {
-    GString *text = g_string_new(NULL);
     g_autofree char *index = off == 0 ? g_strdup("i,i") : g_strdup_printf("i,i±%u", off);
-    const TinkerSymbolLook look = {names[kind], index, 0, NULL};
-    tinker_symbol_typeset(text, &look, page->format);
-    return g_string_free(text, FALSE);
+    return tinker_page_written(page, page_matrix_letters[kind], index, 0);
 }
 
 /* With a minus as it is printed. (transfer full) */

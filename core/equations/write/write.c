@@ -258,14 +258,3 @@ void tinker_equations_put_newton(TinkerPage *page, const TinkerEquationsShown *s
     tinker_page_names(page, needed);
     write_missing(page);
 }
-
-char *tinker_equations_write(const TinkerEquations *equations, const TinkerEquationsShown *shown)
-{
-    TinkerPage page;
-    g_autofree char *title = shown->values
-                                 ? g_strdup_printf(C_("equations", "%s, at t = %g s"), shown->title, equations->time)
-                                 : g_strdup(shown->title);
-    tinker_page_begin(&page, shown->format, equations, title);
-    tinker_equations_put_newton(&page, shown);
-    return tinker_page_end(&page);
-}

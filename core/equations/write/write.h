@@ -13,16 +13,10 @@ typedef struct {
     gboolean values;             /* with the numbers at the time */
 } TinkerEquationsShown;
 
-/* Newton's equations: of each body, with the laws of its terms, constraints, and what the symbols stand for. (transfer
- * full) */
-char *tinker_equations_write(const TinkerEquations *equations, const TinkerEquationsShown *shown);
-
-/* Linear islands with their matrices; of one coordinate as the textbook has it, with its frequency. (transfer full) */
-char *tinker_equations_write_matrix(const TinkerEquations *equations, const TinkerMatrixForm *form,
-                                    const TinkerEquationsShown *shown);
-
-/* Trees of rods in their angles. (transfer full) */
-char *tinker_equations_write_angles(const TinkerEquations *equations, const TinkerAngleForm *form,
-                                    const TinkerEquationsShown *shown);
+/* Newton's equations: of each body, with the laws of its terms, constraints, and what the symbols stand for; or, where
+ * one is given, of `matrix` linear islands with their matrices, of one coordinate as the textbook has it, with its
+ * frequency, or of `angles` trees of rods in their angles. (transfer full) */
+char *tinker_equations_write(const TinkerEquations *equations, const TinkerMatrixForm *matrix,
+                             const TinkerAngleForm *angles, const TinkerEquationsShown *shown);
 
 #endif

@@ -90,7 +90,7 @@ typedef struct {
 
     /* As of the signals that were entered last. */
     TinkerLinearInput *inputs;
-    int32_t input_count, entries, value_input;
+    int32_t input_count, entries;
     TinkerLinearInput *basis; /* of functions of time, whatever they act on */
     int32_t basis_count, basis_entries, *basis_of;
     TinkerLinearMoment *moments;

@@ -21,8 +21,8 @@ static void warn_without_direction(TinkerModel *model, const TinkerBlockBatch *b
                                    const int32_t *points, double tension)
 {
     if (tension == 0 || start_length(model, points) > 0) return;
-    g_ptr_array_add(
-        model->warnings,
+    tinker_warnings_add(
+        model->warnings, TINKER_WARNING_START,
         g_strdup_printf(
             _("%s: its ends are at one place, so its force of %.3g N has no direction: it acts on "
               "nothing until they part (place them apart, or give it no force at length 0, as by a rest length of 0)"),

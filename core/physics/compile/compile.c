@@ -122,7 +122,8 @@ static void tell_small_wheels(TinkerModel *model)
     g_autoptr(GArray) wheels = tinker_small_wheels_of(model->scene);
     for (guint i = 0; i < wheels->len; i++) {
         const TinkerSmallWheel *wheel = &g_array_index(wheels, TinkerSmallWheel, i);
-        if (wheel->is_round) g_ptr_array_add(model->warnings, tinker_small_wheel_text(model->scene, wheel));
+        if (wheel->is_round)
+            tinker_warnings_add(model->warnings, TINKER_WARNING_START, tinker_small_wheel_text(model->scene, wheel));
     }
 }
 
@@ -130,8 +131,8 @@ static void tell_idle_turns(TinkerModel *model)
 {
     g_autoptr(GArray) idle_turns = tinker_idle_turns_of(model->scene);
     for (guint i = 0; i < idle_turns->len; i++)
-        g_ptr_array_add(model->warnings,
-                        tinker_idle_turn_text(model->scene, &g_array_index(idle_turns, TinkerIdleTurn, i)));
+        tinker_warnings_add(model->warnings, TINKER_WARNING_START,
+                            tinker_idle_turn_text(model->scene, &g_array_index(idle_turns, TinkerIdleTurn, i)));
 }
 
 static gboolean compile(TinkerModel *model, GError **error)
@@ -145,9 +146,9 @@ static gboolean compile(TinkerModel *model, GError **error)
     tell_idle_turns(model);
     if (model->contacts == NULL) return TRUE;
     tinker_model_set_state(model, model->q_start, model->v_start);
-    const guint before = model->warnings->len;
-    tinker_contacts_tell_overlaps(model->contacts, model->warnings);
-    model->overlap_warnings = model->warnings->len - before;
+    g_autoptr(GPtrArray) overlaps = g_ptr_array_new_with_free_func(g_free);
+    tinker_contacts_tell_overlaps(model->contacts, overlaps);
+    tinker_warnings_add_texts(model->warnings, TINKER_WARNING_SCENE, overlaps);
     return TRUE;
 }
 
@@ -164,7 +165,7 @@ TinkerModel *tinker_model_new_of_batches(TinkerScene *scene, GPtrArray *batches)
     TinkerModel *model = g_new0(TinkerModel, 1);
     model->scene = scene;
     model->batches = batches;
-    model->warnings = g_ptr_array_new_with_free_func(g_free);
+    model->warnings = tinker_warnings_new();
     model->attachments = g_array_new(FALSE, TRUE, sizeof(TinkerAttachment));
     model->asked_lines = g_array_new(FALSE, TRUE, sizeof(TinkerAskedBatch));
     model->asked_forces = g_array_new(FALSE, TRUE, sizeof(TinkerAskedBatch));

@@ -36,8 +36,8 @@ static void warn_start_velocity(TinkerModel *model, const double *given)
     model->start_impulse = sqrt(impulse);
     model->start_changed = change > TINKER_START_MISS * fastest;
     if (model->start_changed)
-        g_ptr_array_add(
-            model->warnings,
+        tinker_warnings_add(
+            model->warnings, TINKER_WARNING_START,
             g_strdup_printf(_("the start velocities did not fit the constraints: they were changed by up to %.3g "
                               "m/s (an impulse of %.3g N s)"),
                             change, model->start_impulse));

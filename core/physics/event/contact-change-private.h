@@ -139,7 +139,8 @@ void tinker_change_drop(TinkerContactChange *change);
 void tinker_change_measure(TinkerContactChange *change);
 gboolean tinker_change_is_trigger(const TinkerContactChange *change, const TinkerTouch *of);
 /* What speeds of a touch are rounding beside (m/s): the largest that there is, or, where rounding is all that moves,
- * what bodies gain as they fall by their own size. */
+ * what bodies gain as they fall by their own size. For what parts or strikes alone: slip and ends of tops are held
+ * against the largest speed, since a motion so slow is one as well where nothing opens or closes by it. */
 double tinker_change_speed_scale(const TinkerContactChange *change, const TinkerTouch *at);
 /* Whether the two come nearer to each other, for the state that the model was brought to. */
 gboolean tinker_change_approaches(const TinkerContactChange *change, const TinkerContactPair *pair);

@@ -206,8 +206,8 @@ static void warn_of_pins(TinkerContactRun *self)
         const TinkerPlate *plate = &self->contacts->plates[contact->plate];
         if (!tinker_contacts_is_pin(self->contacts, contact) || tinker_contact_pin_is_determined(model, plate))
             continue;
-        g_ptr_array_add(
-            self->run->summary.warnings,
+        tinker_summary_warn_of_method(
+            &self->run->summary,
             g_strdup_printf(_("the force of %s is not determined, since more joints hold what it holds than "
                               "are needed: its friction, and so the motion, depends on the share chosen, "
                               "that of least norm (leave out a joint, or the friction)"),

@@ -195,12 +195,13 @@ void tinker_law_watch_tell(TinkerLawWatch *self)
         const TinkerLawMissed *missed = missed_of(self, i);
         if (missed == NULL) continue;
         const TinkerBlockId block = g_array_index(self->forces, TinkerLawForce, i).block;
-        g_ptr_array_add(self->run->summary.warnings,
-                        g_strdup_printf(_("%s: at about t = %.6g s its law changes by %.3g N within a small part of a "
-                                          "step of %.3g s, which %s does not resolve (take an adaptive method, such as "
-                                          "dopri5, or a much smaller step)"),
-                                        tinker_scene_block_name(self->model->scene, block), missed->at, missed->change,
-                                        missed->step, self->run->choice.method->id));
+        tinker_summary_warn_of_method(
+            &self->run->summary,
+            g_strdup_printf(_("%s: at about t = %.6g s its law changes by %.3g N within a small part of a "
+                              "step of %.3g s, which %s does not resolve (take an adaptive method, such as "
+                              "dopri5, or a much smaller step)"),
+                            tinker_scene_block_name(self->model->scene, block), missed->at, missed->change,
+                            missed->step, self->run->choice.method->id));
     }
 }
 

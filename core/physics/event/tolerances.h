@@ -13,7 +13,8 @@
 /* No unit; of the tolerance times the extent: a gap of what has just opened that is nothing beside what steps make of
  * places. */
 #define TINKER_LEFT 1e-2
-/* No unit; of the largest speed: slower is rounding. */
+/* No unit; of the largest speed: slower is rounding. What parts or strikes is held against
+ * tinker_change_speed_scale instead: it opens and closes contacts, also where rounding is all that moves. */
 #define TINKER_STILL 1e-12
 /* No unit; of the largest speed: what closes faster after an impact cannot be kept out. */
 #define TINKER_SQUEEZED 1e-6

@@ -87,12 +87,11 @@ typedef struct _TinkerContacts TinkerContacts;
 
 struct _TinkerModel {
     TinkerScene *scene;
-    gboolean part;          /* of the scene: other bodies of it are in other models */
-    GPtrArray *batches;     /* of TinkerBlockBatch */
-    int32_t **end_points;   /* of each batch, by batch; NULL for one without ends. In one piece of memory. */
-    TinkerAngles **angles;  /* of each batch, by batch; NULL for one that knows none. NULL where all know none */
-    GPtrArray *warnings;    /* of char * */
-    guint overlap_warnings; /* of these the last so many tell of shapes that overlap at the start */
+    gboolean part;         /* of the scene: other bodies of it are in other models */
+    GPtrArray *batches;    /* of TinkerBlockBatch */
+    int32_t **end_points;  /* of each batch, by batch; NULL for one without ends. In one piece of memory. */
+    TinkerAngles **angles; /* of each batch, by batch; NULL for one that knows none. NULL where all know none */
+    GPtrArray *warnings;   /* of TinkerWarning * */
     double origin[2];
 
     /* bodies and points */

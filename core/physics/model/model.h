@@ -7,6 +7,7 @@
 #ifndef TINKER_CORE_MODEL_H
 #define TINKER_CORE_MODEL_H
 
+#include "physics/model/warning.h"
 #include "scene/frame/frame.h"
 #include "scene/store/scene.h"
 
@@ -51,8 +52,8 @@ typedef struct {
 } TinkerModelSizes;
 TinkerModelSizes tinker_model_sizes(const TinkerModel *model);
 
-/* What the model says before a run: start velocities that were projected, bodies that nothing holds, ...; of char *.
- * (transfer none) */
+/* What the model says before a run: start velocities that were projected, bodies that nothing holds, ...; of
+ * TinkerWarning *. (transfer none) */
 const GPtrArray *tinker_model_warnings(const TinkerModel *model);
 
 #endif

@@ -34,7 +34,8 @@
 #define NEWTON_STEPS   2.5
 #define JACOBIAN_SHARE 4.0
 
-int32_t tinker_island_coordinates(const TinkerIsland *island)
+/* Entries of the state: of an island's line, or of its model. */
+static int32_t coordinates_of(const TinkerIsland *island)
 {
     return island->linear != NULL ? tinker_linear_form_system(island->linear)->size : island->model->coordinates;
 }
@@ -63,21 +64,21 @@ static double evaluation_cost(const TinkerIsland *island)
 
 double tinker_operations_sample(const TinkerIsland *island)
 {
-    return PER_SAMPLE + PER_SAMPLE_COORDINATE * tinker_island_coordinates(island) +
+    return PER_SAMPLE + PER_SAMPLE_COORDINATE * coordinates_of(island) +
            SAMPLE_ROWS * tinker_row_operations(island->model);
 }
 
 double tinker_operations_explicit(const TinkerIsland *island, double steps, double evaluations)
 {
     return steps * (PER_STEP + tinker_row_operations_of_projection(island->model)) +
-           evaluations * (evaluation_cost(island) + PER_STAGE_COORDINATE * tinker_island_coordinates(island));
+           evaluations * (evaluation_cost(island) + PER_STAGE_COORDINATE * coordinates_of(island));
 }
 
 /* Of one solve: a chain or tree has a factor of its own size, a mesh one of about the square root's width. */
 static double band_width(const TinkerIsland *island)
 {
     const TinkerModel *model = island->model;
-    double axes = island->linear != NULL && tinker_island_coordinates(island) == model->bodies ? 1 : 2, inner = 0;
+    double axes = island->linear != NULL && coordinates_of(island) == model->bodies ? 1 : 2, inner = 0;
     for (int32_t i = 0; i < model->lines.count; i++)
         inner += MAX(model->lines.a[i], model->lines.b[i]) < model->bodies;
     return inner < model->bodies ? axes : axes * sqrt((double)MAX(model->bodies, 1));
@@ -85,7 +86,7 @@ static double band_width(const TinkerIsland *island)
 
 double tinker_operations_implicit(const TinkerIsland *island)
 {
-    double n = tinker_island_coordinates(island), width = band_width(island), evaluation = evaluation_cost(island);
+    double n = coordinates_of(island), width = band_width(island), evaluation = evaluation_cost(island);
     double solve = n * (4 * width + 20), factor = n * (2 * width * width + 8);
     if (island->linear != NULL) return PER_STEP + evaluation + solve + PER_STAGE_COORDINATE * n;
     return PER_STEP + NEWTON_STEPS * ((1 + JACOBIAN_SHARE) * evaluation + factor + solve) +

@@ -7,9 +7,6 @@
 /* Seconds that an operation takes on the machine that the counts were calibrated on. */
 #define TINKER_SECONDS_PER_OPERATION 2.5e-10
 
-/* Entries of the state: of an island's line, or of its model. */
-int32_t tinker_island_coordinates(const TinkerIsland *island);
-
 /* Of so many steps of an explicit method with so many evaluations in them, less their Newton steps towards constraint
  * rows. */
 double tinker_operations_explicit(const TinkerIsland *island, double steps, double evaluations);

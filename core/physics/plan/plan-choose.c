@@ -55,14 +55,15 @@ static void warn_unstable(const TinkerIsland *island, const TinkerRunOptions *op
                                                  : cheap_method(island, options, forecast);
     place_of(island, &around);
     if (stable > 0)
-        g_ptr_array_add(warnings,
-                        g_strdup_printf(_("%s is stable up to a step of %.3g s here%s, the step is %g s: it will "
-                                          "diverge (a step of %g s, or %s)"),
-                                        method->id, stable, around, options->step,
-                                        tinker_advised_step(forecast, stable), other));
+        tinker_warnings_add(warnings, TINKER_WARNING_METHOD,
+                            g_strdup_printf(_("%s is stable up to a step of %.3g s here%s, the step is %g s: it will "
+                                              "diverge (a step of %g s, or %s)"),
+                                            method->id, stable, around, options->step,
+                                            tinker_advised_step(forecast, stable), other));
     else
-        g_ptr_array_add(warnings, g_strdup_printf(_("%s is stable at no step here%s: it will diverge (it takes %s)"),
-                                                  method->id, around, other));
+        tinker_warnings_add(warnings, TINKER_WARNING_METHOD,
+                            g_strdup_printf(_("%s is stable at no step here%s: it will diverge (it takes %s)"),
+                                            method->id, around, other));
 }
 
 /* The limit from the forecast: above the true one, as its frequencies are from below. */
@@ -123,11 +124,11 @@ static void warn_under_resolved(const TinkerIsland *island, const TinkerRunOptio
     if (fastest == 0) return;
     g_autofree char *around = NULL;
     place_of(island, &around);
-    g_ptr_array_add(warnings,
-                    g_strdup_printf(_("motion at up to %.3g rad/s%s, which holds %.3g %% of the energy, gets %.2g "
-                                      "steps a period: %s is stable there and wrong (a step of %g s resolves it)"),
-                                    fastest, around, fmin(100 * share, 100), 2 * G_PI / (fastest * options->step),
-                                    method->id, tinker_round_down(WELL_RESOLVED / fastest)));
+    tinker_warnings_add(warnings, TINKER_WARNING_METHOD,
+                        g_strdup_printf(_("motion at up to %.3g rad/s%s, which holds %.3g %% of the energy, gets %.2g "
+                                          "steps a period: %s is stable there and wrong (a step of %g s resolves it)"),
+                                        fastest, around, fmin(100 * share, 100), 2 * G_PI / (fastest * options->step),
+                                        method->id, tinker_round_down(WELL_RESOLVED / fastest)));
 }
 
 static void decide_named(const TinkerIsland *island, const TinkerRunOptions *options, const TinkerForecast *forecast,
@@ -153,10 +154,10 @@ static void decide_named(const TinkerIsland *island, const TinkerRunOptions *opt
     if (options->step > stable)
         warn_unstable(island, options, forecast, method, stable, warnings);
     else if (isnan(stable))
-        g_ptr_array_add(warnings,
-                        g_strdup_printf(_("how large a step %s bears is not known where forces act across the "
-                                          "velocity: compare with a smaller one, or with another method"),
-                                        method->id));
+        tinker_warnings_add(warnings, TINKER_WARNING_METHOD,
+                            g_strdup_printf(_("how large a step %s bears is not known where forces act across the "
+                                              "velocity: compare with a smaller one, or with another method"),
+                                            method->id));
     else
         warn_under_resolved(island, options, forecast, method, warnings);
 }
@@ -182,6 +183,13 @@ static gboolean refuse_not_linear(const TinkerIsland *island, const TinkerIntegr
     return FALSE;
 }
 
+static void warn_of_overlaps(const TinkerContacts *contacts, GPtrArray *warnings)
+{
+    g_autoptr(GPtrArray) overlaps = g_ptr_array_new_with_free_func(g_free);
+    tinker_impulse_tell_overlaps(contacts, overlaps);
+    tinker_warnings_add_texts(warnings, TINKER_WARNING_SCENE, overlaps);
+}
+
 gboolean tinker_decide(const TinkerIsland *island, const TinkerRunOptions *options, const TinkerSpectrum *spectrum,
                        TinkerDecision *decision, GPtrArray *warnings, GError **error)
 {
@@ -191,7 +199,7 @@ gboolean tinker_decide(const TinkerIsland *island, const TinkerRunOptions *optio
     const TinkerIntegrator *method = &tinker_integrator_impulse;
     if (options->impulses && !tinker_plan_check_impulses(island, error)) return FALSE;
     if (!impulses) method = tinker_run_method(island->model->scene, options->method, error);
-    if (impulses && warnings != NULL) tinker_impulse_tell_overlaps(contacts, warnings);
+    if (impulses && warnings != NULL) warn_of_overlaps(contacts, warnings);
     if (method == NULL || !tinker_run_options_check(options, method, tinker_options_duration(options), error))
         return FALSE;
     if (!automatic && (method->flags & TINKER_INTEGRATOR_LINEAR) && island->linear == NULL)

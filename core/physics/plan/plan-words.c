@@ -31,11 +31,12 @@ static void describe_islands(TinkerPlan *plan)
         const TinkerIslandPlan *island = g_ptr_array_index(plan->islands, i);
         straight += island->straight;
         if (island->sideways_growth > 0)
-            plan_say(
-                plan->warnings,
-                _("straight motion is unstable, grows at %.3g/s: island %u is stepped in both coordinates, and any "
-                  "disturbance across its line grows"),
-                island->sideways_growth, i + 1);
+            tinker_warnings_add(
+                plan->warnings, TINKER_WARNING_METHOD,
+                g_strdup_printf(
+                    _("straight motion is unstable, grows at %.3g/s: island %u is stepped in both coordinates, and any "
+                      "disturbance across its line grows"),
+                    island->sideways_growth, i + 1));
         else if (island->growth_max > 0)
             plan_say(plan->modelled, _("the start of island %u is unstable: what leaves it grows at %.3g/s"), i + 1,
                      island->growth_max);

@@ -162,17 +162,10 @@ TinkerPlan *tinker_plan_new(TinkerModel *model, GPtrArray *islands, const Tinker
     plan->redundant = g_ptr_array_new_with_free_func(g_free);
     plan->modelled = g_ptr_array_new_with_free_func(g_free);
     plan->left_out = g_ptr_array_new_with_free_func(g_free);
-    plan->warnings = g_ptr_array_new_with_free_func(g_free);
-    plan->overlaps = g_ptr_array_new_with_free_func(g_free);
-    for (guint i = 0; i < model->warnings->len; i++)
-        g_ptr_array_add(plan->warnings, g_strdup(g_ptr_array_index(model->warnings, i)));
-    for (guint i = model->warnings->len - model->overlap_warnings; i < model->warnings->len; i++)
-        g_ptr_array_add(plan->overlaps, g_strdup(g_ptr_array_index(model->warnings, i)));
-    g_autofree char *unmet = tinker_options_unmet(options, model);
-    if (unmet != NULL) {
-        g_ptr_array_add(plan->warnings, g_strdup(unmet));
-        g_ptr_array_add(plan->overlaps, g_strdup(unmet));
-    }
+    plan->warnings = tinker_warnings_new();
+    tinker_warnings_add_copies(plan->warnings, model->warnings);
+    char *unmet = tinker_options_unmet(options, model);
+    if (unmet != NULL) tinker_warnings_add(plan->warnings, TINKER_WARNING_SCENE, unmet);
     for (guint i = 0; i < islands->len; i++) {
         TinkerIslandPlan *island = plan_island(g_ptr_array_index(islands, i), options, plan->warnings, error);
         if (island == NULL) return NULL;
@@ -186,8 +179,7 @@ TinkerPlan *tinker_plan_new(TinkerModel *model, GPtrArray *islands, const Tinker
 void tinker_plan_free(TinkerPlan *plan)
 {
     if (plan == NULL) return;
-    GPtrArray *arrays[] = {plan->islands,  plan->redundant, plan->modelled,
-                           plan->left_out, plan->warnings,  plan->overlaps};
+    GPtrArray *arrays[] = {plan->islands, plan->redundant, plan->modelled, plan->left_out, plan->warnings};
     for (gsize i = 0; i < G_N_ELEMENTS(arrays); i++)
         g_clear_pointer(&arrays[i], g_ptr_array_unref);
     g_free(plan);

@@ -37,11 +37,11 @@ typedef struct {
 } TinkerIslandPlan;
 
 typedef struct {
-    double accuracy;                           /* that is asked for, as in TinkerRunOptions; 0: none */
-    GPtrArray *islands;                        /* of TinkerIslandPlan *, in the order of the islands */
-    GPtrArray *redundant;                      /* of char *: names of the blocks whose constraints depend on others */
-    GPtrArray *modelled, *left_out, *warnings; /* of char *: sentences */
-    GPtrArray *overlaps; /* of char *: those of the warnings that tell of shapes that pass through each other */
+    double accuracy;                /* that is asked for, as in TinkerRunOptions; 0: none */
+    GPtrArray *islands;             /* of TinkerIslandPlan *, in the order of the islands */
+    GPtrArray *redundant;           /* of char *: names of the blocks whose constraints depend on others */
+    GPtrArray *modelled, *left_out; /* of char *: sentences */
+    GPtrArray *warnings;            /* of TinkerWarning * */
 } TinkerPlan;
 
 /* Plans a run. `islands` are those of the model. Errors: TINKER_MODEL_ERROR_METHOD. (transfer full) */
@@ -58,8 +58,8 @@ GPtrArray *tinker_plan_limited_methods(const TinkerIslandPlan *island);
 double tinker_plan_stable_step(const TinkerIslandPlan *island, const TinkerIntegrator *method);
 
 /* What a run of one island needs before it starts: the method of `options`, or the one that suits. Cheap: bounded by
- * about thirty evaluations of the island's forces. Adds warnings (of char *): steps beyond the stable one, modes that
- * carry energy and are under-resolved. */
+ * about thirty evaluations of the island's forces. Adds warnings (of TinkerWarning *): steps beyond the stable one,
+ * modes that carry energy and are under-resolved. */
 gboolean tinker_plan_choose(const TinkerIsland *island, const TinkerRunOptions *options, TinkerChoice *choice,
                             GPtrArray *warnings, GError **error);
 

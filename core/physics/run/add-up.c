@@ -35,10 +35,8 @@ void tinker_island_runs_open_summary(TinkerIslandRuns *self)
     summary->determined_until = INFINITY;
     summary->islands = g_ptr_array_new_with_free_func(island_summary_free);
     summary->events = g_ptr_array_new_with_free_func(tinker_event_free);
-    summary->warnings = g_ptr_array_new_with_free_func(g_free);
-    summary->of_scene = g_ptr_array_new();
-    for (guint i = 0; i < model->warnings->len; i++)
-        tinker_summary_warn_of_scene(summary, g_strdup(g_ptr_array_index(model->warnings, i)));
+    summary->warnings = tinker_warnings_new();
+    tinker_warnings_add_copies(summary->warnings, model->warnings);
     char *unmet = tinker_options_unmet(&self->options, model);
     if (unmet != NULL) tinker_summary_warn_of_scene(summary, unmet);
 }
@@ -48,7 +46,6 @@ void tinker_island_runs_clear_summary(TinkerIslandRuns *self)
     g_clear_pointer(&self->summary.tries, g_array_unref);
     g_clear_pointer(&self->summary.islands, g_ptr_array_unref);
     g_clear_pointer(&self->summary.events, g_ptr_array_unref);
-    g_clear_pointer(&self->summary.of_scene, g_ptr_array_unref);
     g_clear_pointer(&self->summary.warnings, g_ptr_array_unref);
 }
 
@@ -132,7 +129,6 @@ void tinker_island_runs_add_up(TinkerIslandRuns *self)
         .islands = kept.islands,
         .events = kept.events,
         .warnings = kept.warnings,
-        .of_scene = kept.of_scene,
     };
     g_ptr_array_sort(whole->events, by_time);
     for (guint i = 0; i < self->runs->len; i++)

@@ -52,7 +52,7 @@ static const TinkerFindings *catch_up(TinkerEstimate *estimate)
     TinkerFindings *findings = tinker_comparison_findings(estimate->comparison);
     if (findings->failure != NULL)
         g_ptr_array_insert(estimate->runs->summary.warnings, (gint)findings->failure_place,
-                           g_steal_pointer(&findings->failure));
+                           tinker_warning_new(TINKER_WARNING_METHOD, g_steal_pointer(&findings->failure)));
     return findings;
 }
 
@@ -99,8 +99,8 @@ static void open_part(TinkerEstimatePart *part, TinkerIslandRun *run)
 
 static void warn_of_none(TinkerIslandRuns *runs, const char *why)
 {
-    g_ptr_array_add(runs->summary.warnings,
-                    g_strdup_printf(_("there is no error estimate: the companion run cannot be set up (%s)"), why));
+    tinker_summary_warn_of_method(
+        &runs->summary, g_strdup_printf(_("there is no error estimate: the companion run cannot be set up (%s)"), why));
 }
 
 static TinkerRelay *open_relay(const TinkerEstimate *estimate)
@@ -227,8 +227,8 @@ gboolean tinker_estimate_close(TinkerEstimate *estimate, GError **error)
 {
     const TinkerFindings *findings = catch_up(estimate);
     if (isfinite(findings->predictable_until))
-        g_ptr_array_add(
-            estimate->runs->summary.warnings,
+        tinker_summary_warn_of_method(
+            &estimate->runs->summary,
             g_strdup_printf(_("not predictable beyond t = %.6g s: there the estimated error passes a tenth of the "
                               "motion's own size (a smaller step or tolerance moves that time out, in "
                               "chaotic motion only a little)"),

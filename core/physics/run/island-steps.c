@@ -37,10 +37,7 @@
 
 static void open_summary(TinkerIslandRun *run, const TinkerSummary *whole)
 {
-    run->summary = (TinkerSummary){.events = whole->events,
-                                   .warnings = whole->warnings,
-                                   .of_scene = whole->of_scene,
-                                   .determined_until = INFINITY};
+    run->summary = (TinkerSummary){.events = whole->events, .warnings = whole->warnings, .determined_until = INFINITY};
     tinker_island_run_name_method(run);
 }
 

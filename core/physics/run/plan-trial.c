@@ -25,15 +25,13 @@ static void unread_new(TinkerSummary *unread)
 {
     *unread = (TinkerSummary){0};
     unread->events = g_ptr_array_new_with_free_func(tinker_event_free);
-    unread->warnings = g_ptr_array_new_with_free_func(g_free);
-    unread->of_scene = g_ptr_array_new();
+    unread->warnings = tinker_warnings_new();
 }
 
 static void unread_clear(TinkerSummary *unread)
 {
     g_clear_pointer(&unread->events, g_ptr_array_unref);
     g_clear_pointer(&unread->warnings, g_ptr_array_unref);
-    g_clear_pointer(&unread->of_scene, g_ptr_array_unref);
 }
 
 /* Steps until the end or the limit; where a run stops by itself, it has come to its end, too. */

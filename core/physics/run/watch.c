@@ -87,17 +87,17 @@ static void warn_of_imbalance(TinkerIslandRun *run)
     const TinkerSummary *summary = &run->summary;
     if (summary->energy_balance_error <= TINKER_BALANCED) return;
     if (run->books.allows_loss && run->books.imbalance <= TINKER_BALANCED) {
-        g_ptr_array_add(
-            summary->warnings,
+        tinker_summary_warn_of_method(
+            &run->summary,
             g_strdup_printf(_("%s took up to %.2g %% of the largest energy exchanged from motion that its steps "
                               "do not resolve, as it is made to (a smaller step takes less)"),
                             run->choice.method->id, 100 * summary->energy_balance_error));
         return;
     }
     g_autofree char *advice = tinker_guard_explain(run->model, run->choice.method, run->choice.step, is_accurate(run));
-    g_ptr_array_add(summary->warnings,
-                    g_strdup_printf(_("the energy is off by up to %.3g %% of the largest energy exchanged: %s"),
-                                    100 * summary->energy_balance_error, advice));
+    tinker_summary_warn_of_method(
+        &run->summary, g_strdup_printf(_("the energy is off by up to %.3g %% of the largest energy exchanged: %s"),
+                                       100 * summary->energy_balance_error, advice));
 }
 
 /* Sweeps along the contacts of a pile are cut short where a step would take too long (impulse/pile-solve.c). */
@@ -117,8 +117,8 @@ static void watch_stability(TinkerIslandRun *run)
 {
     double stable = tinker_stability_watch_look(run->stability);
     if (!(stable > 0)) return;
-    g_ptr_array_add(
-        run->summary.warnings,
+    tinker_summary_warn_of_method(
+        &run->summary,
         g_strdup_printf(_("from t = %.6g s on %s is stable up to a step of about %.3g s only, the step is %g s: "
                           "the motion has become stiffer, and diverges if it goes on so"),
                         run->state.t, run->choice.method->id, stable, run->choice.step));

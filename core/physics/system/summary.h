@@ -63,10 +63,11 @@ typedef struct {
     double valid_until;      /* s: as far as the record is to be believed; simulated_s where all of it is */
     GPtrArray *islands;      /* of TinkerIslandSummary * */
     GPtrArray *events;       /* of TinkerEvent * */
-    GPtrArray *warnings;     /* of char * */
-    GPtrArray *of_scene; /* those of the warnings that are about the scene itself, which no other method would spare;
-                                borrowed from them */
+    GPtrArray *warnings;     /* of TinkerWarning * */
 } TinkerSummary;
+
+/* Adds a warning that another method or step may spare (transfer full). */
+void tinker_summary_warn_of_method(TinkerSummary *summary, char *text);
 
 /* Adds a warning that is about the scene itself (transfer full): no other method would spare it. */
 void tinker_summary_warn_of_scene(TinkerSummary *summary, char *text);
@@ -74,15 +75,6 @@ void tinker_summary_warn_of_scene(TinkerSummary *summary, char *text);
 /* Adds the warning that the outcome depends on the law of impact, from the time `t` (s) on. */
 void tinker_summary_warn_of_laws(TinkerSummary *summary, double t);
 
-/* What that warning says without the key of the scene that chooses the law, for those who offer another one themselves;
- * NULL where a warning is another one. (transfer full) */
-char *tinker_summary_told_of_laws(const char *warning);
-
 /* Samples that are so far `apart` (s) do not show how the block of this name moves; an interval (s) that does. */
 void tinker_summary_warn_of_samples(TinkerSummary *summary, const char *name, double apart, double interval);
-
-/* What that warning says without the interval, for those who offer it themselves; NULL where a warning is another one.
- * (transfer full) */
-char *tinker_summary_told_of_samples(const char *warning, double *interval);
-
 #endif

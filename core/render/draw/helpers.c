@@ -188,6 +188,6 @@ void tinker_helper_text(const TinkerStyle *style, cairo_t *cairo, int32_t colour
     cairo_translate(cairo, x, y);
     cairo_scale(cairo, unit, -unit);
     cairo_set_source_rgba(cairo, c[0], c[1], c[2], c[3]);
-    tinker_text_draw_apart(style->context, cairo, &label, 0, 0);
+    tinker_text_draw_apart(style->context, cairo, &label);
     cairo_restore(cairo);
 }

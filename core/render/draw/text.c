@@ -251,13 +251,13 @@ static double free_line(const GArray *others, Apart text)
     return 0;
 }
 
-void tinker_text_draw_apart(TinkerTextPen *pen, cairo_t *cairo, const TinkerText *text, double x, double y)
+void tinker_text_draw_apart(TinkerTextPen *pen, cairo_t *cairo, const TinkerText *text)
 {
     double width, height, none = 0;
-    if (!text->text || !*text->text || !isfinite(x) || !isfinite(y)) return;
+    if (!text->text || !*text->text) return;
     if (!pen->apart) pen->apart = g_array_new(FALSE, FALSE, sizeof(Apart));
     tinker_text_measure(pen, text, &width, &height);
-    Apart wanted = {x + (0.5 - text->anchor_x) * width, y + (0.5 - text->anchor_y) * height, 0, width / 2, height / 2};
+    Apart wanted = {(0.5 - text->anchor_x) * width, (0.5 - text->anchor_y) * height, 0, width / 2, height / 2};
     cairo_user_to_device(cairo, &wanted.x, &wanted.y);
     cairo_user_to_device_distance(cairo, &wanted.across, &none);
     none = 0;
@@ -267,7 +267,7 @@ void tinker_text_draw_apart(TinkerTextPen *pen, cairo_t *cairo, const TinkerText
     const double lines = free_line(pen->apart, wanted);
     wanted.down = 2 * lines * wanted.high;
     g_array_append_val(pen->apart, wanted);
-    tinker_text_draw(pen, cairo, text, x, y + lines * height);
+    tinker_text_draw(pen, cairo, text, 0, lines * height);
 }
 
 void tinker_text_append_power(GString *to, int exponent)

@@ -61,9 +61,9 @@ void tinker_text_draw_on_line(TinkerTextPen *pen, cairo_t *cairo, const TinkerTe
 /* Writes at (x, y) in the context's present colour. */
 void tinker_text_draw(TinkerTextPen *pen, cairo_t *cairo, const TinkerText *text, double x, double y);
 
-/* Likewise, but a line or two higher or lower where it would lie on another that this pen has written so. What is
- * written at the very same place again stays with the first. */
-void tinker_text_draw_apart(TinkerTextPen *pen, cairo_t *cairo, const TinkerText *text, double x, double y);
+/* Writes at the origin in the present colour, but a line or two higher or lower where it would lie on another that this
+ * pen has written so. What is written at the very same place again stays with the first. */
+void tinker_text_draw_apart(TinkerTextPen *pen, cairo_t *cairo, const TinkerText *text);
 
 /* An array for TinkerTextPen.written. (transfer full) */
 GPtrArray *tinker_written_texts_new(void);

@@ -125,22 +125,3 @@ void tinker_math_text_draw(const TinkerMathText *formula, cairo_t *cairo, double
     draw_node(formula->root, &pen, cairo, x, y);
     cairo_restore(cairo);
 }
-
-int tinker_math_text_part_at(const TinkerMathText *formula, double x, double y, double box[4])
-{
-    /* formula_read puts a row around what it is given */
-    const FormulaNode *row = formula_part(formula->root, 0);
-    for (guint i = 0; i < row->parts->len; i++) {
-        const FormulaNode *part = formula_part(row, i);
-        const double left = row->x + part->x, line = row->y + part->y;
-        if (x < left || x >= left + part->width || y < line - part->above || y > line + part->below) continue;
-        if (box != NULL) {
-            box[0] = left;
-            box[1] = line - part->above;
-            box[2] = left + part->width;
-            box[3] = line + part->below;
-        }
-        return (int)i;
-    }
-    return -1;
-}

@@ -22,8 +22,4 @@ void tinker_math_text_measure(const TinkerMathText *formula, double *width, doub
 /* Draws it in the context's present colour, with its left end on the line at (x, y). */
 void tinker_math_text_draw(const TinkerMathText *formula, cairo_t *cairo, double x, double y);
 
-/* The number of the outermost part (what stands side by side in the text) at a place relative to its left end on the
- * line, with its box (least and greatest x and y; may be NULL); -1: none. */
-int tinker_math_text_part_at(const TinkerMathText *formula, double x, double y, double box[4]);
-
 #endif

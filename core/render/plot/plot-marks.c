@@ -133,8 +133,9 @@ gboolean tinker_plot_place_reading(const TinkerPlotLayout *layout, double box[4]
     return TRUE;
 }
 
-static void rounded_box(cairo_t *cairo, const double box[4], double radius)
+static void rounded_box(cairo_t *cairo, const double box[4])
 {
+    const double radius = BUBBLE_CORNER;
     cairo_new_sub_path(cairo);
     cairo_arc(cairo, box[2] - radius, box[1] + radius, radius, -G_PI / 2, 0);
     cairo_arc(cairo, box[2] - radius, box[3] - radius, radius, 0, G_PI / 2);
@@ -147,8 +148,7 @@ static void draw_bubble(cairo_t *cairo, const TinkerPlotLayout *layout, const do
 {
     const char *const words[] = {layout->plot->reading->x, layout->plot->reading->y};
     double y = box[1] + BUBBLE_INNER;
-    rounded_box(cairo, (double[]){floor(box[0]) + 0.5, floor(box[1]) + 0.5, floor(box[2]) - 0.5, floor(box[3]) - 0.5},
-                BUBBLE_CORNER);
+    rounded_box(cairo, (double[]){floor(box[0]) + 0.5, floor(box[1]) + 0.5, floor(box[2]) - 0.5, floor(box[3]) - 0.5});
     tinker_plot_set_colour(cairo, layout->theme->background, 0.94);
     cairo_fill_preserve(cairo);
     tinker_plot_set_colour(cairo, layout->theme->axis, 0.6);

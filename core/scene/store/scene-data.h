@@ -108,8 +108,6 @@ char *scene_graph_size_fault(const double size[2]);
 char *scene_graph_range_fault(const TinkerSceneGraph *graph, int axis);
 /* That the block, or the scene, does not have the quantity, with a suggestion, or NULL. (transfer full) */
 char *scene_quantity_fault(const TinkerScene *scene, TinkerBlockId block, const char *quantity);
-/* Adds the blocks that a curve is of; some perhaps more than once. */
-void scene_curve_blocks(const TinkerScene *scene, const TinkerSceneCurve *curve, GArray *blocks);
 /* Of all curves of a graph. (transfer full) */
 GArray *scene_graph_blocks(const TinkerScene *scene, const TinkerSceneGraph *graph);
 /* The places of graphs with curves of these blocks in the scene's list of them, last first; of guint. (transfer full)

@@ -99,7 +99,8 @@ static void add_quantity(const TinkerScene *scene, TinkerBlockId block, const ch
     if (other != NULL) add_block(blocks, tinker_scene_find_block(scene, other));
 }
 
-void scene_curve_blocks(const TinkerScene *scene, const TinkerSceneCurve *curve, GArray *blocks)
+/* Adds the blocks that a curve is of; some perhaps more than once. */
+static void add_curve_blocks(const TinkerScene *scene, const TinkerSceneCurve *curve, GArray *blocks)
 {
     if (is_quantity(curve)) add_quantity(scene, tinker_scene_find_block(scene, curve->block), curve->quantity, blocks);
     if (curve->expression == NULL) return;
@@ -115,7 +116,7 @@ GArray *scene_graph_blocks(const TinkerScene *scene, const TinkerSceneGraph *gra
 {
     GArray *blocks = g_array_new(FALSE, FALSE, sizeof(TinkerBlockId));
     for (guint i = 0; i < graph->curves->len; i++)
-        scene_curve_blocks(scene, g_ptr_array_index(graph->curves, i), blocks);
+        add_curve_blocks(scene, g_ptr_array_index(graph->curves, i), blocks);
     add_quantity(scene, TINKER_NO_BLOCK, graph->against, blocks);
     return blocks;
 }
@@ -125,7 +126,7 @@ static gboolean is_of(const TinkerScene *scene, const TinkerSceneGraph *graph, c
                       GHashTable *blocks)
 {
     g_autoptr(GArray) own = g_array_new(FALSE, FALSE, sizeof(TinkerBlockId));
-    scene_curve_blocks(scene, curve, own);
+    add_curve_blocks(scene, curve, own);
     if (is_quantity(curve)) add_quantity(scene, TINKER_NO_BLOCK, graph->against, own);
     for (guint i = 0; i < own->len; i++)
         if (g_hash_table_contains(blocks, GINT_TO_POINTER(g_array_index(own, TinkerBlockId, i)))) return TRUE;

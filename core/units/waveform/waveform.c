@@ -8,8 +8,6 @@
 #include "units/expression/expression-tree.h"
 #include "units/waveform/table-private.h"
 
-#define MOST_WIDTHS 16 /* that are tried beside a break */
-
 struct _TinkerWaveform {
     gatomicrefcount references;
     TinkerWaveformKind kind;
@@ -72,37 +70,6 @@ static double next_row(const TinkerWaveform *waveform, double t, double horizon)
     if (row == waveform->table->rows) return INFINITY;
     const double next = waveform->table->times[row] - waveform->shift;
     return next <= horizon ? next : INFINITY;
-}
-
-/* A time left of t with no break between them. Each width costs a search, so that there are few of them also where t is
- * so near to 0 that the smallest is a hundred decades away. */
-static double inside_left(const TinkerWaveformEvaluator *evaluator, double t)
-{
-    const double size = fmax(fabs(t), fabs(evaluator->waveform->shift));
-    const double smallest = 64 * (nextafter(size, INFINITY) - size);
-    const double greatest = fmax(1e-3, fabs(t) / 1024);
-    const double ratio = fmax(8, exp2((log2(greatest) - log2(smallest)) / MOST_WIDTHS));
-    for (double width = greatest; width > smallest; width /= ratio) {
-        const double before = tinker_waveform_next_break(evaluator, t - width, t - smallest / 4);
-        if (!isfinite(before)) return t - width / 2;
-    }
-    return t - smallest;
-}
-
-/* A time right of t with no break between them. */
-static double inside_right(const TinkerWaveformEvaluator *evaluator, double t)
-{
-    const double width = fmax(1e-3, fabs(t) / 1024);
-    const double next = tinker_waveform_next_break(evaluator, t, t + width);
-    return isfinite(next) ? t + (next - t) / 2 : t + width / 2;
-}
-
-/* The expression at t by the cells that hold at `inside`; the piece entered last stays entered. */
-static void evaluate_beside(const TinkerWaveformEvaluator *evaluator, double inside, double t, double result[3])
-{
-    TinkerProgramState state = evaluator->search;
-    tinker_program_decide(&state, inside);
-    store(tinker_program_evaluate(&state, t), result);
 }
 
 TinkerWaveform *tinker_waveform_new_harmonic(TinkerWaveformKind kind)
@@ -327,21 +294,4 @@ double tinker_waveform_next_pole(const TinkerWaveformEvaluator *evaluator, doubl
     if (evaluator->waveform->kind != TINKER_WAVEFORM_EXPRESSION) return INFINITY;
     TinkerProgramState search = evaluator->search;
     return tinker_program_next_pole(&search, t, end);
-}
-
-void tinker_waveform_jump(TinkerWaveformEvaluator *evaluator, double t, double jump[2])
-{
-    const TinkerWaveform *waveform = evaluator->waveform;
-    double left[3] = {0}, right[3] = {0};
-    if (waveform->kind == TINKER_WAVEFORM_TABLE) {
-        const gsize piece_left = table_piece(waveform, nextafter(t, -INFINITY));
-        const gsize piece_right = table_piece(waveform, t);
-        tinker_table_evaluate(waveform->table, piece_left, evaluator->smooth, t + waveform->shift, left);
-        tinker_table_evaluate(waveform->table, piece_right, evaluator->smooth, t + waveform->shift, right);
-    } else if (waveform->kind == TINKER_WAVEFORM_EXPRESSION) {
-        evaluate_beside(evaluator, inside_left(evaluator, t), t, left);
-        evaluate_beside(evaluator, inside_right(evaluator, t), t, right);
-    }
-    jump[0] = right[0] - left[0];
-    jump[1] = right[1] - left[1];
 }

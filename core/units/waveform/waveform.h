@@ -111,8 +111,4 @@ double tinker_waveform_steady(const TinkerWaveformEvaluator *evaluator);
  * time that is reported as a break nothing need jump. */
 double tinker_waveform_next_break(const TinkerWaveformEvaluator *evaluator, double t, double horizon);
 
-/* Whether value or first derivative jump at the break t, and by how much: right minus left. A rod or a contact on a
- * support that jumps has no motion. */
-void tinker_waveform_jump(TinkerWaveformEvaluator *evaluator, double t, double jump[2]);
-
 #endif

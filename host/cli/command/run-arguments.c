@@ -207,8 +207,11 @@ GPtrArray *tinker_scene_run_warnings(const TinkerSceneRun *run, const TinkerOpen
     GPtrArray *warnings = g_ptr_array_new_with_free_func(g_free);
     const TinkerSummary *summary = tinker_simulation_summary(run->simulation);
     add_once(warnings, open->warnings);
-    add_once(warnings, tinker_model_warnings(run->model));
-    add_once(warnings, summary->warnings);
+    const GPtrArray *more[] = {tinker_model_warnings(run->model), summary->warnings};
+    for (gsize i = 0; i < G_N_ELEMENTS(more); i++) {
+        g_autoptr(GPtrArray) texts = tinker_warnings_texts(more[i]);
+        add_once(warnings, texts);
+    }
     add_idle_options(warnings, run, summary, arguments);
     return warnings;
 }

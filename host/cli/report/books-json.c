@@ -18,7 +18,7 @@ static void add_entries(cJSON *object, const char *key, const TinkerBooks *books
         const TinkerBookEntry *entry = entry_at(books, i);
         if (entry->inner && !inner) continue;
         const char *name = tinker_scene_block_name(scene, entry->by);
-        const double *value = (const double *)(const void *)((const char *)entry + member);
+        const double *value = (const double *)(const void *)((const char *)&entry->all + member);
         if (pair)
             tinker_json_add_pair(list, name, value);
         else
@@ -38,9 +38,9 @@ static void add_newton(cJSON *root, const TinkerBooks *books, TinkerScene *scene
     double sum[2] = {0, 0};
     for (guint i = 0; i < books->entries->len; i++)
         for (int axis = 0; axis < 2 && !entry_at(books, i)->inner; axis++)
-            sum[axis] += entry_at(books, i)->force[axis];
+            sum[axis] += entry_at(books, i)->all.force[axis];
     cJSON_AddNumberToObject(newton, "time", books->to);
-    add_entries(newton, "forces", books, scene, offsetof(TinkerBookEntry, force), TRUE, FALSE);
+    add_entries(newton, "forces", books, scene, offsetof(TinkerBookShare, force), TRUE, FALSE);
     tinker_json_add_pair(newton, "sum", sum);
     tinker_json_add_pair(newton, "rate_of_momentum", books->rate);
     add_balance(newton, &books->newton);
@@ -52,7 +52,7 @@ static void add_momentum(cJSON *root, const TinkerBooks *books, TinkerScene *sce
     cJSON *pairs = cJSON_AddArrayToObject(momentum, "momentum");
     for (int i = 0; i < 2; i++)
         cJSON_AddItemToArray(pairs, cJSON_CreateDoubleArray(books->momentum[i], 2));
-    add_entries(momentum, "impulses", books, scene, offsetof(TinkerBookEntry, impulse), TRUE, FALSE);
+    add_entries(momentum, "impulses", books, scene, offsetof(TinkerBookShare, impulse), TRUE, FALSE);
     add_balance(momentum, &books->impulse);
 }
 
@@ -94,13 +94,13 @@ char *tinker_books_json(const TinkerBooks *books, TinkerScene *scene, const Tink
     add_newton(root, books, scene);
     cJSON *energy = cJSON_AddObjectToObject(root, "energy");
     tinker_json_add_pair(energy, "kinetic", books->kinetic);
-    add_entries(energy, "work", books, scene, offsetof(TinkerBookEntry, work), FALSE, TRUE);
+    add_entries(energy, "work", books, scene, offsetof(TinkerBookShare, work), FALSE, TRUE);
     add_balance(energy, &books->energy);
     add_momentum(root, books, scene);
     cJSON *angular = cJSON_AddObjectToObject(root, "angular");
     tinker_json_add_pair(angular, "about", books->about);
     tinker_json_add_pair(angular, "angular_momentum", books->angular);
-    add_entries(angular, "impulses", books, scene, offsetof(TinkerBookEntry, angular), FALSE, FALSE);
+    add_entries(angular, "impulses", books, scene, offsetof(TinkerBookShare, angular), FALSE, FALSE);
     add_balance(angular, &books->moment);
     cJSON_AddNumberToObject(root, "unsettled", books->unsettled);
     add_impacts(root, books, scene);

@@ -160,8 +160,9 @@ void tinker_books_write_csv(const TinkerBooks *books, TinkerScene *scene, FILE *
     for (guint i = 0; i < books->entries->len; i++) {
         const TinkerBookEntry *entry = entry_at(books, i);
         const double outer = entry->inner ? 0 : 1; /* what cancels counts as nothing */
-        const double values[] = {outer * entry->force[0],   outer * entry->force[1],   entry->work,
-                                 outer * entry->impulse[0], outer * entry->impulse[1], outer * entry->angular};
+        const TinkerBookShare *all = &entry->all;
+        const double values[] = {outer * all->force[0],   outer * all->force[1],   all->work,
+                                 outer * all->impulse[0], outer * all->impulse[1], outer * all->angular};
         tinker_csv_text(&writer, tinker_scene_block_name(scene, entry->by));
         for (gsize k = 0; k < G_N_ELEMENTS(values); k++)
             tinker_csv_number(&writer, values[k]);

@@ -235,7 +235,7 @@ static cJSON *island_json(const TinkerEquations *equations, const TinkerMatrixIs
 {
     const guint n = island->coordinates->len;
     cJSON *object = cJSON_CreateObject();
-    tinker_json_add_names(object, "blocks", equations->scene, island->blocks);
+    tinker_json_add_names(object, equations->scene, island->blocks);
     add_coordinates(object, island);
     add_entries(object, "M", island, TINKER_MATRIX_MASS);
     add_entries(object, "C", island, TINKER_MATRIX_DAMPING);

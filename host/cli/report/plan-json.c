@@ -36,7 +36,7 @@ static void add_stable_steps(cJSON *object, const TinkerIslandPlan *island)
 static void add_island(cJSON *array, const TinkerPlanReport *report, const TinkerIslandPlan *island)
 {
     cJSON *object = cJSON_CreateObject();
-    tinker_json_add_names(object, "blocks", report->scene, island->blocks);
+    tinker_json_add_names(object, report->scene, island->blocks);
     cJSON_AddStringToObject(object, "method", island->choice.method->id);
     if (island->choice.step > 0)
         add_number(object, "step", island->choice.step);

@@ -5,9 +5,9 @@ void tinker_json_add_name(cJSON *list, TinkerScene *scene, TinkerBlockId block)
     cJSON_AddItemToArray(list, cJSON_CreateString(tinker_scene_block_name(scene, block)));
 }
 
-void tinker_json_add_names(cJSON *object, const char *key, TinkerScene *scene, const GArray *blocks)
+void tinker_json_add_names(cJSON *object, TinkerScene *scene, const GArray *blocks)
 {
-    cJSON *list = cJSON_AddArrayToObject(object, key);
+    cJSON *list = cJSON_AddArrayToObject(object, "blocks");
     for (guint i = 0; i < blocks->len; i++)
         tinker_json_add_name(list, scene, g_array_index(blocks, TinkerBlockId, i));
 }

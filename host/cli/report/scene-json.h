@@ -10,7 +10,7 @@
 void tinker_json_add_name(cJSON *list, TinkerScene *scene, TinkerBlockId block);
 
 /* The names of blocks (of TinkerBlockId) as a list under the key. */
-void tinker_json_add_names(cJSON *object, const char *key, TinkerScene *scene, const GArray *blocks);
+void tinker_json_add_names(cJSON *object, TinkerScene *scene, const GArray *blocks);
 
 /* Appends a block that acts between bodies, with what stands at its ends: forces that cancel. */
 void tinker_json_add_cancelled(cJSON *list, TinkerScene *scene, TinkerBlockId block);

@@ -86,7 +86,7 @@ static void add_islands(cJSON *root, const TinkerRunReport *report)
     for (guint i = 0; i < report->run->islands->len; i++) {
         const TinkerIslandSummary *run = g_ptr_array_index(report->run->islands, i);
         cJSON *island = cJSON_CreateObject();
-        tinker_json_add_names(island, "blocks", report->scene, run->bodies);
+        tinker_json_add_names(island, report->scene, run->bodies);
         cJSON_AddStringToObject(island, "method", run->method);
         add_step_or_tolerance(island, run->method, run->adaptive, run->step, run->tolerance);
         cJSON_AddItemToArray(islands, island);

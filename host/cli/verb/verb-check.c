@@ -161,7 +161,8 @@ static void add_of_model(Findings *findings, TinkerScene *scene)
     }
     g_autoptr(GPtrArray) overlaps = g_ptr_array_new_with_free_func(g_free);
     tinker_overlaps_tell(scene, overlaps);
-    add_warnings(findings, tinker_model_warnings(model));
+    g_autoptr(GPtrArray) of_model = tinker_warnings_texts(tinker_model_warnings(model));
+    add_warnings(findings, of_model);
     tinker_boxes_tell(scene, tinker_scene_head(scene)->run.duration, overlaps);
     add_warnings(findings, overlaps);
     add_of_run(findings, scene, model);

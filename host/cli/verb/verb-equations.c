@@ -55,7 +55,8 @@ G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC(EquationsOptions, equations_options_clear)
 /* (transfer full) */
 static char *newton_text(const TinkerEquations *equations, const TinkerEquationsShown *shown, int as)
 {
-    return as == AS_JSON ? tinker_equations_json(equations, shown->blocks) : tinker_equations_write(equations, shown);
+    return as == AS_JSON ? tinker_equations_json(equations, shown->blocks)
+                         : tinker_equations_write(equations, NULL, NULL, shown);
 }
 
 /* (transfer full) */
@@ -63,7 +64,7 @@ static char *angles_text(TinkerEquations *equations, const TinkerEquationsShown 
 {
     g_autoptr(TinkerAngleForm) form = tinker_angle_form_new(equations);
     return as == AS_JSON ? tinker_equations_angles_json(equations, form)
-                         : tinker_equations_write_angles(equations, form, shown);
+                         : tinker_equations_write(equations, NULL, form, shown);
 }
 
 /* What is linear is told by the plan. (transfer full) */
@@ -80,7 +81,7 @@ static char *matrix_text(const TinkerEquations *equations, const TinkerEquations
     if ((plan = tinker_plan_new(model, islands, &run, error)) == NULL) return NULL;
     g_autoptr(TinkerMatrixForm) form = tinker_matrix_form_new(equations, plan, as == AS_JSON);
     return as == AS_JSON ? tinker_equations_matrix_json(equations, form)
-                         : tinker_equations_write_matrix(equations, form, shown);
+                         : tinker_equations_write(equations, form, NULL, shown);
 }
 
 /* A browser and LaTeX make pictures of equations. */

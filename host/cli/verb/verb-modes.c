@@ -123,7 +123,8 @@ static GPtrArray *collect_warnings(const TinkerOpenScene *open, const TinkerMode
                                    const Wishes *wishes)
 {
     GPtrArray *warnings = g_ptr_array_new_with_free_func(g_free);
-    const GPtrArray *sources[] = {open->warnings, tinker_model_warnings(analysis->model)};
+    g_autoptr(GPtrArray) of_model = tinker_warnings_texts(tinker_model_warnings(analysis->model));
+    const GPtrArray *sources[] = {open->warnings, of_model};
     for (gsize i = 0; i < G_N_ELEMENTS(sources); i++)
         for (guint k = 0; k < sources[i]->len; k++)
             g_ptr_array_add(warnings, g_strdup(g_ptr_array_index(sources[i], k)));

@@ -84,7 +84,8 @@ static gboolean prepare(PlanJob *job, const PlanOptions *options, const TinkerOp
 static gboolean write_plan(PlanJob *job, const PlanOptions *options, const TinkerOpenScene *open, GError **error)
 {
     g_autoptr(GPtrArray) warnings = g_ptr_array_new();
-    const GPtrArray *sources[] = {open->warnings, job->plan->warnings};
+    g_autoptr(GPtrArray) of_plan = tinker_warnings_texts(job->plan->warnings);
+    const GPtrArray *sources[] = {open->warnings, of_plan};
     for (gsize s = 0; s < G_N_ELEMENTS(sources); s++)
         for (guint i = 0; i < sources[s]->len; i++)
             g_ptr_array_add(warnings, g_ptr_array_index(sources[s], i));

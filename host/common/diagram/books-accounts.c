@@ -11,18 +11,18 @@ static void entry_clear(gpointer data)
     g_free(((TinkerAccountEntry *)data)->name);
 }
 
-static double given(const TinkerBookShare *entry, TinkerAccountKind which)
+static double given(const TinkerBookShare *share, TinkerAccountKind which)
 {
     switch (which) {
     case TINKER_ACCOUNT_FORCE_X:
     case TINKER_ACCOUNT_FORCE_Y:
-        return entry->force[which - TINKER_ACCOUNT_FORCE_X];
+        return share->force[which - TINKER_ACCOUNT_FORCE_X];
     case TINKER_ACCOUNT_ENERGY:
-        return entry->work;
+        return share->work;
     case TINKER_ACCOUNT_ANGULAR:
-        return entry->angular;
+        return share->angular;
     default:
-        return entry->impulse[which - TINKER_ACCOUNT_MOMENTUM_X];
+        return share->impulse[which - TINKER_ACCOUNT_MOMENTUM_X];
     }
 }
 

@@ -65,7 +65,6 @@ char *diagram_force_text(const DiagramDrawing *drawing, double newtons);
 char *diagram_torque_text(const DiagramDrawing *drawing, double newton_metres);
 /* Whether there is a moment of the resultant, I alpha, that is not just what rounding leaves. */
 gboolean diagram_has_turning(const TinkerDiagram *diagram);
-gboolean diagram_is_of_contact(const TinkerDiagramForce *force);
 /* "Floor (Normal force)": of what touches there are two forces. (transfer full) */
 char *diagram_force_name(const DiagramDrawing *drawing, const TinkerDiagramForce *force);
 TinkerArrowKind diagram_arrow_kind(TinkerTermKind kind);

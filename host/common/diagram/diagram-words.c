@@ -135,7 +135,7 @@ TinkerArrowKind diagram_arrow_kind(TinkerTermKind kind)
     return kinds[kind];
 }
 
-gboolean diagram_is_of_contact(const TinkerDiagramForce *force)
+static gboolean is_of_contact(const TinkerDiagramForce *force)
 {
     return force->kind == TINKER_TERM_NORMAL || force->kind == TINKER_TERM_FRICTION;
 }
@@ -144,7 +144,7 @@ gboolean diagram_is_of_contact(const TinkerDiagramForce *force)
 char *diagram_force_name(const DiagramDrawing *drawing, const TinkerDiagramForce *force)
 {
     const char *from = tinker_scene_block_name(drawing->scene, force->from);
-    return diagram_is_of_contact(force)
+    return is_of_contact(force)
                ? g_strdup_printf("%s (%s)", from, tinker_force_arrow_word(diagram_arrow_kind(force->kind)))
            : force->end > 0 ? g_strdup_printf(_("%s, end %d"), from, force->end)
                             : g_strdup(from);

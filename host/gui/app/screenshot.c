@@ -35,7 +35,7 @@ void tinker_screenshot_prepare(const TinkerScreenshot *screenshot)
     g_setenv("ADW_DISABLE_PORTAL", "1", TRUE);
     g_setenv("ADW_DEBUG_COLOR_SCHEME", screenshot->dark ? "prefer-dark" : "prefer-light", TRUE);
     g_setenv("ADW_DEBUG_HIGH_CONTRAST", screenshot->high_contrast ? "1" : "0", TRUE);
-    tinker_settings_enable(FALSE);
+    tinker_settings_disable();
 }
 
 static void finish(Shot *shot, int status)

@@ -37,8 +37,7 @@ TinkerHit canvas_hit_at(TinkerCanvas *canvas, double x, double y, gboolean handl
     if (handles && selected != TINKER_NO_BLOCK)
         hit = tinker_hit_handle(frame, selected, world[0], world[1], canvas_reach(canvas));
     if (tinker_frame_time(frame) != 0 && !canvas_acts_at_once(canvas, hit)) hit.block = TINKER_NO_BLOCK;
-    if (hit.block == TINKER_NO_BLOCK)
-        hit = tinker_hit(frame, world[0], world[1], canvas_reach(canvas), TINKER_NO_BLOCK);
+    if (hit.block == TINKER_NO_BLOCK) hit = tinker_hit(frame, world[0], world[1], canvas_reach(canvas));
     if (hit.block != TINKER_NO_BLOCK) return body_rather_than_end(canvas, frame, hit, world);
     return (TinkerHit){tinker_painter_field_at(frame, &canvas->view, x, y), TINKER_PART_NONE};
 }

@@ -87,9 +87,8 @@ char *tinker_graph_statistics_text(TinkerGraphData *data, const TinkerGraphPart 
 void tinker_statistic_append(GString *text, const TinkerStatistic *statistic);
 
 /* A point for people: "t = 1.25 s" (and the other quantity's value, if it is not over time), of a spectrum
- * "f = 0.8 Hz"; "y = −0.12 m". (transfer full) */
+ * "f = 0.8 Hz". (transfer full) */
 char *tinker_graph_data_x_text(const TinkerGraphData *data, guint curve, gsize point);
-char *tinker_graph_data_y_text(const TinkerGraphData *data, guint curve, gsize point);
 /* A place across, of what is over time or a spectrum: "t = 1.25 s", "f = 0.8 Hz"; with what stands before the letter.
  * (transfer full) */
 char *tinker_graph_data_place_text(const TinkerGraphData *data, const char *before, double place);

@@ -154,10 +154,3 @@ char *tinker_graph_data_x_text(const TinkerGraphData *data, guint curve, gsize p
                                                  tinker_graph_series_x_axis(series)->unit);
     return g_strdup_printf("%s, %s", time, x);
 }
-
-char *tinker_graph_data_y_text(const TinkerGraphData *data, guint curve, gsize point)
-{
-    const TinkerGraphSeries *series = graph_line(data, curve)->series;
-    return tinker_graph_value_text(tinker_graph_series_symbol(series), tinker_graph_series_y(series)[point],
-                                   tinker_graph_series_y_axis(series)->unit);
-}

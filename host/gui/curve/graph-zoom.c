@@ -2,6 +2,7 @@
 #include "gui/curve/graph-zoom.h"
 
 #include <math.h>
+#include <string.h>
 
 #define LEAST_SHARE 1e-6 /* of the numbers themselves: finer, an axis is shown as constant */
 
@@ -64,10 +65,9 @@ void tinker_graph_zoom_box(TinkerGraphZoom *zoom, const TinkerPlotGeometry *geom
         if (is_meant(geometry, axes, axis)) show(zoom, geometry, axis, a[MIN(axis, 1)], b[MIN(axis, 1)]);
 }
 
-void tinker_graph_zoom_reset(TinkerGraphZoom *zoom, TinkerGraphAxes axes)
+void tinker_graph_zoom_reset(TinkerGraphZoom *zoom)
 {
-    for (int axis = 0; axis < 3; axis++)
-        if (axes & (1u << axis)) zoom->is_set[axis] = FALSE;
+    memset(zoom->is_set, 0, sizeof zoom->is_set);
 }
 
 TinkerGraphAxes tinker_graph_axes_at(const TinkerPlotGeometry *geometry, double x, double y)

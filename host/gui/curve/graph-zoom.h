@@ -30,7 +30,7 @@ void tinker_graph_zoom_pan(TinkerGraphZoom *zoom, const TinkerPlotGeometry *geom
 /* Shows what lies between two corners on the canvas. */
 void tinker_graph_zoom_box(TinkerGraphZoom *zoom, const TinkerPlotGeometry *geometry, TinkerGraphAxes axes,
                            const double a[2], const double b[2]);
-void tinker_graph_zoom_reset(TinkerGraphZoom *zoom, TinkerGraphAxes axes);
+void tinker_graph_zoom_reset(TinkerGraphZoom *zoom);
 
 /* The axes that a place of the canvas is about: both where the curves are, one beside them. */
 TinkerGraphAxes tinker_graph_axes_at(const TinkerPlotGeometry *geometry, double x, double y);

@@ -279,24 +279,25 @@ void tinker_document_abort(TinkerDocument *document)
     tinker_document_touch(document);
 }
 
-void tinker_document_undo(TinkerDocument *document)
+/* A change that is under way is given up instead. */
+static void step_in_history(TinkerDocument *document, void (*step)(TinkerHistory *history))
 {
     if (tinker_history_is_open(document->history)) {
         tinker_document_interrupt(document);
         return;
     }
-    tinker_history_undo(document->history);
+    step(document->history);
     tinker_document_touch(document);
+}
+
+void tinker_document_undo(TinkerDocument *document)
+{
+    step_in_history(document, tinker_history_undo);
 }
 
 void tinker_document_redo(TinkerDocument *document)
 {
-    if (tinker_history_is_open(document->history)) {
-        tinker_document_interrupt(document);
-        return;
-    }
-    tinker_history_redo(document->history);
-    tinker_document_touch(document);
+    step_in_history(document, tinker_history_redo);
 }
 
 void tinker_document_place(TinkerDocument *document, TinkerBlockId block, const double place[2], double reach)

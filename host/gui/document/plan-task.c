@@ -26,9 +26,9 @@ static guint changed_signal;
 static void result_free(TinkerPlanResult *result)
 {
     if (result == NULL) return;
+    g_clear_pointer(&result->avoidable, g_ptr_array_unref);
     tinker_plan_free(result->plan);
     g_clear_error(&result->error);
-    g_clear_pointer(&result->avoidable, g_ptr_array_unref);
     tinker_scene_free(result->scene);
     g_free(result);
 }
@@ -54,9 +54,8 @@ static void find_avoidable(TinkerPlanResult *result, TinkerRunOptions options)
     options.method = "auto";
     g_autoptr(TinkerPlan) other = plan_scene(result->scene, &options, NULL);
     for (guint i = 0; other != NULL && i < result->plan->warnings->len; i++) {
-        char *warning = g_ptr_array_index(result->plan->warnings, i);
-        if (!g_ptr_array_find_with_equal_func(other->warnings, warning, g_str_equal, NULL))
-            g_ptr_array_add(result->avoidable, g_strdup(warning));
+        TinkerWarning *warning = g_ptr_array_index(result->plan->warnings, i);
+        if (!tinker_warnings_say(other->warnings, warning->text)) g_ptr_array_add(result->avoidable, warning);
     }
 }
 
@@ -111,7 +110,7 @@ static void start(TinkerPlanTask *task)
     job->owner = task;
     job->result = g_new0(TinkerPlanResult, 1);
     job->result->scene = tinker_scene_copy(tinker_document_scene(task->document));
-    job->result->avoidable = g_ptr_array_new_with_free_func(g_free);
+    job->result->avoidable = g_ptr_array_new();
     task->background = tinker_background_start(&plan_work, job);
 }
 

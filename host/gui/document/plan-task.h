@@ -20,7 +20,8 @@ typedef struct {
     TinkerPlan *plan;     /* NULL where the scene cannot run */
     GError *error;        /* then: why */
     gboolean automatic;   /* the scene leaves the choice of the method to the plan */
-    GPtrArray *avoidable; /* of the plan's warnings, those that would not be were the method chosen automatically */
+    GPtrArray *avoidable; /* of the plan's warnings (borrowed from it), those that would not be were the method chosen
+                             automatically */
 } TinkerPlanResult;
 
 /* Takes a reference of the document. (transfer full) */

@@ -88,10 +88,10 @@ gboolean tinker_player_status(TinkerPlayer *player, TinkerRunStatus *status)
     return TRUE;
 }
 
-GPtrArray *tinker_player_warnings(TinkerPlayer *player, gboolean of_scene)
+GPtrArray *tinker_player_warnings(TinkerPlayer *player)
 {
     const TinkerSegment *last = tinker_recording_last(&player->recording);
-    return last == NULL ? g_ptr_array_new_with_free_func(g_free) : tinker_run_task_warnings(last->task, of_scene);
+    return last == NULL ? tinker_warnings_new() : tinker_run_task_warnings(last->task);
 }
 
 /* A run that was made again for an accuracy has other samples from then on. */

@@ -103,9 +103,8 @@ gboolean tinker_player_value(TinkerPlayer *player, TinkerBlockId block, int32_t 
 
 /* How the run went so far. FALSE where there is none. */
 gboolean tinker_player_status(TinkerPlayer *player, TinkerRunStatus *status);
-/* What the run warned of, of char *; or of that alone what is about the scene itself, which no other method would
- * spare. (transfer full) */
-GPtrArray *tinker_player_warnings(TinkerPlayer *player, gboolean of_scene);
+/* What the run warned of, of TinkerWarning *. (transfer full) */
+GPtrArray *tinker_player_warnings(TinkerPlayer *player);
 
 /* What has happened in the run, of TinkerRunEvent *, in order of time: the same array as before where there is nothing
  * new. Borrowed; keep a reference for what is to outlive the next call. */

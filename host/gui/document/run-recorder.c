@@ -190,7 +190,7 @@ static void show_next(TinkerRunTask *task)
 static void note_miss(TinkerRunTask *task, GError **failure)
 {
     if (!g_error_matches(*failure, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_ACCURACY)) return;
-    g_ptr_array_add(task->warnings, g_strdup((*failure)->message));
+    tinker_warnings_add(task->warnings, TINKER_WARNING_METHOD, g_strdup((*failure)->message));
     g_clear_error(failure);
 }
 
@@ -266,8 +266,7 @@ static gboolean run_scene(TinkerRunTask *task, GError **error)
     g_mutex_lock(&task->mutex);
     show_next(task);
     note_miss(task, &failure);
-    run_task_add_copies(task->warnings, tinker_simulation_summary(simulation)->warnings);
-    run_task_add_copies(task->of_scene, tinker_simulation_summary(simulation)->of_scene);
+    tinker_warnings_add_copies(task->warnings, tinker_simulation_summary(simulation)->warnings);
     g_mutex_unlock(&task->mutex);
     note_events(task, tinker_simulation_summary(simulation)->events);
     if (done) note_end(task);

@@ -38,9 +38,9 @@ struct _TinkerRunTask {
     RunTaskRecord record;
     TinkerRunStatus status;
     GError *error;
-    GPtrArray *warnings, *of_scene;
-    GPtrArray *events; /* of TinkerRunEvent *, in order */
-    GArray *bands;     /* of double: rows of a time (s) and how far each column may be off until then */
+    GPtrArray *warnings; /* of TinkerWarning * */
+    GPtrArray *events;   /* of TinkerRunEvent *, in order */
+    GArray *bands;       /* of double: rows of a time (s) and how far each column may be off until then */
 
     /* The thread's own. */
     double *row;
@@ -65,8 +65,5 @@ void run_task_record_clear(RunTaskRecord *record);
 
 /* Doubles in a row of an event: the time, the columns just before it, and those just behind it. */
 gsize run_task_event_width(const TinkerRunTask *task);
-
-/* Of char *. */
-void run_task_add_copies(GPtrArray *to, const GPtrArray *from);
 
 #endif

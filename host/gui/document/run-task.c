@@ -37,7 +37,6 @@ void tinker_run_task_unref(TinkerRunTask *task)
     g_array_unref(task->wound);
     g_clear_error(&task->error);
     g_ptr_array_unref(task->warnings);
-    g_ptr_array_unref(task->of_scene);
     g_ptr_array_unref(task->events);
     g_array_unref(task->bands);
     run_task_record_clear(&task->record);
@@ -76,12 +75,6 @@ void run_task_record_clear(RunTaskRecord *record)
     }
 }
 
-void run_task_add_copies(GPtrArray *to, const GPtrArray *from)
-{
-    for (guint i = 0; i < from->len; i++)
-        g_ptr_array_add(to, g_strdup(g_ptr_array_index(from, i)));
-}
-
 static void list_blocks(TinkerRunTask *task, const TinkerScene *scene)
 {
     task->bodies = g_array_new(FALSE, FALSE, sizeof(TinkerBlockId));
@@ -111,8 +104,7 @@ TinkerRunTask *tinker_run_task_new(TinkerRunLane *lane, TinkerScene *scene, doub
         tinker_columns_add_quantity(task->columns, scene, quantity->block, quantity->quantity);
     }
     list_blocks(task, scene);
-    task->warnings = g_ptr_array_new_with_free_func(g_free);
-    task->of_scene = g_ptr_array_new_with_free_func(g_free);
+    task->warnings = tinker_warnings_new();
     task->events = g_ptr_array_new_with_free_func((GDestroyNotify)tinker_run_event_free);
     task->bands = g_array_new(FALSE, FALSE, sizeof(double));
     run_task_record_init(task, &task->record);
@@ -145,11 +137,11 @@ GError *tinker_run_task_error(TinkerRunTask *task)
     return error;
 }
 
-GPtrArray *tinker_run_task_warnings(TinkerRunTask *task, gboolean of_scene)
+GPtrArray *tinker_run_task_warnings(TinkerRunTask *task)
 {
-    GPtrArray *copy = g_ptr_array_new_with_free_func(g_free);
+    GPtrArray *copy = tinker_warnings_new();
     g_mutex_lock(&task->mutex);
-    run_task_add_copies(copy, of_scene ? task->of_scene : task->warnings);
+    tinker_warnings_add_copies(copy, task->warnings);
     g_mutex_unlock(&task->mutex);
     return copy;
 }

@@ -61,10 +61,9 @@ TinkerRunTask *tinker_run_task_ref(TinkerRunTask *task);
 void tinker_run_task_unref(TinkerRunTask *task);
 
 TinkerRunStatus tinker_run_task_status(TinkerRunTask *task);
-/* Why it failed, or NULL; and what it warned of (of char *), or of that alone what no other method would spare.
- * (transfer full) */
+/* Why it failed, or NULL; and what it warned of (of TinkerWarning *). (transfer full) */
 GError *tinker_run_task_error(TinkerRunTask *task);
-GPtrArray *tinker_run_task_warnings(TinkerRunTask *task, gboolean of_scene);
+GPtrArray *tinker_run_task_warnings(TinkerRunTask *task);
 
 /* How many events are known; and appends a copy of those before `until` (s), in order, to an array of TinkerRunEvent *
  * that owns them. */

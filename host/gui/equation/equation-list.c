@@ -15,7 +15,7 @@ GtkWidget *tinker_equation_label(const char *text, const char *css_class)
     return label;
 }
 
-void tinker_equation_list_add_text(GtkWidget *box, const char *text, const char *css_class)
+static void add_text(GtkWidget *box, const char *text, const char *css_class)
 {
     gtk_box_append(GTK_BOX(box), tinker_equation_label(text, css_class));
 }
@@ -41,7 +41,7 @@ void tinker_equation_list_add(GtkWidget *box, TinkerDocument *document, const Ti
                               const TinkerEquationLine *spoken)
 {
     if (shown->heading != NULL) {
-        tinker_equation_list_add_text(box, shown->heading, "heading");
+        add_text(box, shown->heading, "heading");
         return;
     }
     if (shown->matrix != NULL) {
@@ -55,7 +55,7 @@ void tinker_equation_list_add(GtkWidget *box, TinkerDocument *document, const Ti
         return;
     }
     gtk_box_append(GTK_BOX(box), row);
-    if (has_comment) tinker_equation_list_add_text(box, shown->comment, "caption");
+    if (has_comment) add_text(box, shown->comment, "caption");
 }
 
 static gboolean is_seen(GtkWidget *child)

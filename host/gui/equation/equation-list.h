@@ -9,7 +9,6 @@
 
 /* Text that wraps; `text` may be NULL. */
 GtkWidget *tinker_equation_label(const char *text, const char *css_class);
-void tinker_equation_list_add_text(GtkWidget *box, const char *text, const char *css_class);
 
 /* A line as it is shown, in MathML, and the same one as it is read out. */
 void tinker_equation_list_add(GtkWidget *box, TinkerDocument *document, const TinkerEquationLine *shown,

@@ -271,11 +271,8 @@ static void copy_equations(GtkWidget *widget, const char *name, GVariant *parame
     g_autofree TinkerBlockId *bodies = shown_bodies(result);
     g_autofree char *title = tinker_document_name(page->document);
     const TinkerEquationsShown shown = {(TinkerTypesetFormat)format, title, bodies, FALSE};
-    g_autofree char *text = form_of(page) == MATRIX && result->matrix != NULL
-                                ? tinker_equations_write_matrix(result->equations, result->matrix, &shown)
-                            : form_of(page) == ANGLES
-                                ? tinker_equations_write_angles(result->equations, result->angles, &shown)
-                                : tinker_equations_write(result->equations, &shown);
+    g_autofree char *text = tinker_equations_write(result->equations, form_of(page) == MATRIX ? result->matrix : NULL,
+                                                   form_of(page) == ANGLES ? result->angles : NULL, &shown);
     gdk_clipboard_set_text(gtk_widget_get_clipboard(widget), text);
 }
 

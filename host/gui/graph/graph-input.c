@@ -58,7 +58,7 @@ void tinker_graph_plot_pan(TinkerGraphPlot *plot, double right, double up)
 
 void tinker_graph_plot_show_all(TinkerGraphPlot *plot)
 {
-    tinker_graph_zoom_reset(&plot->zoom, TINKER_GRAPH_ALL);
+    tinker_graph_zoom_reset(&plot->zoom);
     zoomed(plot, TINKER_GRAPH_ALL);
 }
 

@@ -9,9 +9,9 @@ static char *file_path(void)
     return g_build_filename(g_get_user_config_dir(), "tinker", "window.ini", NULL);
 }
 
-void tinker_settings_enable(gboolean enabled)
+void tinker_settings_disable(void)
 {
-    disabled = !enabled;
+    disabled = TRUE;
 }
 
 static GKeyFile *key_file(void)

@@ -7,8 +7,8 @@
 
 #include <glib.h>
 
-/* FALSE: neither read nor write; for pictures, which must not depend on the user. At first TRUE. */
-void tinker_settings_enable(gboolean enabled);
+/* From now on neither reads nor writes: for pictures, which must not depend on the user. */
+void tinker_settings_disable(void);
 
 int tinker_settings_integer(const char *group, const char *key, int otherwise);
 gboolean tinker_settings_switch(const char *group, const char *key, gboolean otherwise);

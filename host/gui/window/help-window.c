@@ -163,7 +163,7 @@ static void tinker_help_window_init(TinkerHelpWindow *help)
     gtk_window_set_default_size(GTK_WINDOW(help), 860, 720);
 }
 
-void tinker_help_show(GtkWindow *window, const char *page)
+void tinker_help_show(GtkWindow *window)
 {
     TinkerHelpWindow *help = g_object_get_data(G_OBJECT(window), DATA);
     if (help == NULL) {
@@ -171,6 +171,6 @@ void tinker_help_show(GtkWindow *window, const char *page)
         g_object_set_data(G_OBJECT(window), DATA, help);
         gtk_window_set_hide_on_close(GTK_WINDOW(help), TRUE);
     }
-    go_to(help, page);
+    go_to(help, "README.md");
     gtk_window_present(GTK_WINDOW(help));
 }

@@ -7,8 +7,7 @@
 #define TINKER_TYPE_HELP_WINDOW (tinker_help_window_get_type())
 G_DECLARE_FINAL_TYPE(TinkerHelpWindow, tinker_help_window, TINKER, HELP_WINDOW, AdwWindow)
 
-/* Shows a page, "README.md" being the list of all, with an optional #anchor: in the help window of this one, which is
- * made where there is none. */
-void tinker_help_show(GtkWindow *window, const char *page);
+/* Shows the list of all pages in the help window of this one, which is made where there is none. */
+void tinker_help_show(GtkWindow *window);
 
 #endif

@@ -8,7 +8,7 @@
 #include "gui/text/sentence.h"
 #include "gui/window/side-panel.h"
 #include "gui/window/window-parts.h"
-#include "physics/system/summary.h"
+#include "physics/model/warning.h"
 
 #define PAGE    "accuracy"
 #define REFRESH 200 /* ms: how often the line is brought up to date while something happens */
@@ -40,10 +40,17 @@ static void show_law_of_impact(void *data)
     tinker_property_panel_focus_law_of_impact(TINKER_PROPERTY_PANEL(window->properties));
 }
 
-static void add_notice(GPtrArray *notices, TinkerWindow *window, const char *warning, const char *button,
+/* What helps is offered by a button where it has a name. */
+static char *text_of(TinkerWindow *window, const TinkerWarning *warning)
+{
+    return tinker_sentence_in(tinker_document_scene(window->document),
+                              warning->brief != NULL ? warning->brief : warning->text);
+}
+
+static void add_notice(GPtrArray *notices, TinkerWindow *window, const TinkerWarning *warning, const char *button,
                        void (*cure)(void *data))
 {
-    g_autofree char *text = tinker_sentence_in(tinker_document_scene(window->document), warning);
+    g_autofree char *text = text_of(window, warning);
     g_ptr_array_add(notices, tinker_notice_new(TINKER_NOTICE_WARNING, text, button, cure, window, NULL));
 }
 
@@ -61,10 +68,10 @@ static void record_more_often(void *data)
         window_toast(recording->window, error->message);
 }
 
-static void add_recording_notice(GPtrArray *notices, TinkerWindow *window, const char *warning, double interval)
+static void add_recording_notice(GPtrArray *notices, TinkerWindow *window, const TinkerWarning *warning)
 {
-    const Recording recording = {window, interval};
-    g_autofree char *text = tinker_sentence_in(tinker_document_scene(window->document), warning);
+    const Recording recording = {window, warning->number};
+    g_autofree char *text = text_of(window, warning);
     g_ptr_array_add(notices, tinker_notice_new(TINKER_NOTICE_WARNING, text, _("Record More Often"), record_more_often,
                                                g_memdup2(&recording, sizeof recording), g_free));
 }
@@ -74,11 +81,6 @@ static GPtrArray *new_notices(void)
     return g_ptr_array_new_with_free_func((GDestroyNotify)tinker_notice_free);
 }
 
-static gboolean is_among(const GPtrArray *warnings, const char *warning)
-{
-    return g_ptr_array_find_with_equal_func((GPtrArray *)warnings, warning, g_str_equal, NULL);
-}
-
 /* Of the plan's warnings those that another method avoids, and shapes that overlap at the start; what else is wrong
  * with the start, the advice tells. */
 static void show_plan_notices(TinkerWindow *window)
@@ -86,10 +88,10 @@ static void show_plan_notices(TinkerWindow *window)
     const TinkerPlanResult *result = tinker_plan_task_result(window->plan);
     GPtrArray *notices = new_notices();
     for (guint i = 0; result != NULL && result->plan != NULL && i < result->plan->warnings->len; i++) {
-        const char *warning = g_ptr_array_index(result->plan->warnings, i);
-        if (is_among(result->avoidable, warning))
+        TinkerWarning *warning = g_ptr_array_index(result->plan->warnings, i);
+        if (g_ptr_array_find(result->avoidable, warning, NULL))
             add_notice(notices, window, warning, _("Choose Automatically"), choose_automatically);
-        else if (is_among(result->plan->overlaps, warning))
+        else if (warning->kind == TINKER_WARNING_SCENE)
             add_notice(notices, window, warning, NULL, NULL);
     }
     tinker_notice_bar_set(window->notices, "plan", notices);
@@ -100,25 +102,29 @@ static void show_run_notices(TinkerWindow *window)
 {
     const char *method = tinker_scene_head(tinker_document_scene(window->document))->run.method;
     gboolean automatic = g_str_equal(method, "auto");
-    g_autoptr(GPtrArray) warnings = tinker_player_warnings(window->player, FALSE);
-    g_autoptr(GPtrArray) of_scene = tinker_player_warnings(window->player, TRUE);
+    g_autoptr(GPtrArray) warnings = tinker_player_warnings(window->player);
     const TinkerPlanResult *result = tinker_plan_task_result(window->plan);
     GPtrArray *notices = new_notices();
     for (guint i = 0; i < warnings->len; i++) {
-        const char *warning = g_ptr_array_index(warnings, i);
-        if (result != NULL && result->plan != NULL && is_among(result->plan->warnings, warning)) continue;
-        double interval;
-        g_autofree char *of_laws = tinker_summary_told_of_laws(warning);
-        g_autofree char *of_samples = tinker_summary_told_of_samples(warning, &interval);
-        if (of_samples != NULL)
-            add_recording_notice(notices, window, of_samples, interval);
-        else if (of_laws != NULL)
-            add_notice(notices, window, of_laws, _("Choose the Law of Impact"), show_law_of_impact);
-        else if (is_among(of_scene, warning))
+        const TinkerWarning *warning = g_ptr_array_index(warnings, i);
+        if (result != NULL && result->plan != NULL && tinker_warnings_say(result->plan->warnings, warning->text))
+            continue;
+        switch (warning->kind) {
+        case TINKER_WARNING_SAMPLES:
+            add_recording_notice(notices, window, warning);
+            break;
+        case TINKER_WARNING_LAWS:
+            add_notice(notices, window, warning, _("Choose the Law of Impact"), show_law_of_impact);
+            break;
+        case TINKER_WARNING_START:
+        case TINKER_WARNING_SCENE:
             add_notice(notices, window, warning, NULL, NULL);
-        else
+            break;
+        case TINKER_WARNING_METHOD:
             add_notice(notices, window, warning, automatic ? _("Compare Methods") : _("Choose Automatically"),
                        automatic ? show_accuracy : choose_automatically);
+            break;
+        }
     }
     tinker_notice_bar_set(window->notices, "run", notices);
 }

@@ -213,7 +213,7 @@ static void show_gallery(TinkerWindow *window)
 
 static void show_help(TinkerWindow *window)
 {
-    tinker_help_show(GTK_WINDOW(window), "README.md");
+    tinker_help_show(GTK_WINDOW(window));
 }
 
 /* Files ------------------------------------------------------------------------------------------------------------ */

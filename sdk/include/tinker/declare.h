@@ -77,13 +77,13 @@
 #define TINKER_SURFACE_PROPERTIES                                                                                      \
     {TINKER_REAL_PROPERTY("static_friction", "Static coefficient", "Friction", TINKER_DIMENSION_NONE),                 \
      TINKER_NOT_NEGATIVE(TINKER_DEFAULT_NONE, 1.0),                                                                    \
-     .symbol = "µs",                                                                                                   \
+     .symbol = "μs",                                                                                                   \
      .meaning = TINKER_MEANING_STATIC_FRICTION,                                                                        \
      .variability = TINKER_TUNABLE,                                                                                    \
      .description = "Friction that holds it on what it touches, at most, per normal force"},                           \
         {TINKER_REAL_PROPERTY("dynamic_friction", "Dynamic coefficient", "Friction", TINKER_DIMENSION_NONE),           \
          TINKER_NOT_NEGATIVE(TINKER_DEFAULT_NONE, 1.0),                                                                \
-         .symbol = "µd",                                                                                               \
+         .symbol = "μd",                                                                                               \
          .meaning = TINKER_MEANING_DYNAMIC_FRICTION,                                                                   \
          .variability = TINKER_TUNABLE,                                                                                \
          .description = "Friction where it slides, per normal force; at most the static coefficient"},                 \

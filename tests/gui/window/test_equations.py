@@ -184,6 +184,25 @@ def test_page_follows_while_it_plays(display):
             check(moment(app) <= app.time(), "no moment is shown before it has come")
 
 
+def test_page_opened_while_it_plays_is_filled(display):
+    """Its rows are more than one frame adds, and results of the run come in meanwhile: the last line is there while time
+    goes on."""
+    count = 28
+    ends = [[f"M{i - 1}" if i else "Wall", f"M{i}"] for i in range(count)]
+    chain = [block for i in range(count) for block in
+             (mass(f"M{i}", i + 1, 0), spring(f"S{i}", *ends[i], rest_length=1),
+              {"type": "damper", "name": f"D{i}", "ends": ends[i], "damping": 0.1},
+              {"type": "motor", "name": f"F{i}", "ends": [f"M{i}"]})]
+    with App(display, scene(GRAVITY, support("Wall", 0, 0, solid=False), *chain, duration=600)) as app:
+        app.show_width()
+        app.activate("play")
+        wait(lambda: app.time() > 0, "time to go on")
+        app.click("Equations", role="tab")
+        app.find("image", re.compile(f"^M{count - 1}: y .* equals$"), patience=45)
+        reached = app.time()
+        wait(lambda: app.time() > reached, "time to go on")
+
+
 def test_what_touches_on_the_way_has_its_terms(display):
     """A ball falls onto a floor and stays there: its equation has the normal force from then on, while time goes on."""
     with App(display, scene(GRAVITY, support("Floor", 0, -2, width=8, restitution=0), mass("Ball", 0, 0, mass=2),
