@@ -89,7 +89,7 @@ static void judge_claims(TinkerCatalogue *catalogue, const Options *options, con
     const guint samples = MIN(run->samples, MIN(truth.samples, other.samples));
     g_autofree double *errors = errors_of(crowd, run, &truth, samples);
     g_autofree double *doubts = errors_of(crowd, &other, &truth, samples);
-    for (guint i = 0; i < samples; i++) {
+    for (guint i = 1; i < samples; i++) {
         const double claim = g_array_index(run->claims, double, i);
         if (!(claim < PREDICTABLE) || doubts[i] > KNOWN * claim) break;
         tally->judged++;
