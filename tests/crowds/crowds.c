@@ -171,5 +171,5 @@ int main(int argc, char **argv)
     printf("%u runs, %u stopped, %u faulty; imbalance %.2g, gain %.2g, overlap %.2g m at most; %.1f s\n", tally.runs,
            tally.stopped, tally.faulty, tally.imbalance, tally.gain, tally.overlap, tally.seconds);
     if (options.claims) printf("%u of %u samples are off by more than they claim\n", tally.beyond, tally.judged);
-    return tally.runs > 0 && tally.stopped + tally.faulty == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+    return tally.runs > 0 && tally.stopped + tally.faulty + tally.beyond == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
