@@ -16,6 +16,7 @@ typedef struct {
     const Crowd *crowd;
     CrowdRun *run;
     double began, patience, lowest, scale; /* s; s; J: the least energy so far, and how much there was */
+    gboolean claims;
 } Watch;
 
 static double processor_time(void)
@@ -138,10 +139,11 @@ static gboolean keep(TinkerSimulation *simulation, double time, const double *va
 {
     Watch *watch = data;
     CrowdRun *run = watch->run;
-    (void)simulation;
     (void)error;
     const double energy = energy_of(watch->crowd, values), overlap = largest_overlap(watch->crowd, values);
     g_array_append_vals(run->rows, values, (guint)(watch->crowd->count * CROWD_COLUMNS));
+    const double claim = watch->claims ? tinker_simulation_error(simulation) : NAN;
+    g_array_append_val(run->claims, claim);
     if (run->samples++ == 0) watch->scale = fabs(energy);
     if (energy - watch->lowest > run->gain * watch->scale) {
         run->gain = (energy - watch->lowest) / watch->scale;
@@ -168,7 +170,7 @@ static gboolean run_scene(TinkerScene *scene, Watch *watch, double tolerance, GE
     options.tolerance = tolerance;
     options.duration = crowd->duration;
     options.interval = crowd->duration / SAMPLES;
-    options.estimate = FALSE;
+    options.estimate = watch->claims;
     options.cancelled = is_late;
     options.data = watch;
     for (int i = 0; i < crowd->count; i++)
@@ -185,11 +187,14 @@ static gboolean run_scene(TinkerScene *scene, Watch *watch, double tolerance, GE
     return done;
 }
 
-gboolean crowd_run(TinkerCatalogue *catalogue, const Crowd *crowd, double tolerance, double patience, CrowdRun *run,
-                   GError **error)
+gboolean crowd_run(TinkerCatalogue *catalogue, const Crowd *crowd, double tolerance, double patience, gboolean claims,
+                   CrowdRun *run, GError **error)
 {
-    *run = (CrowdRun){.rows = g_array_new(FALSE, FALSE, sizeof(double)), .overlap = -INFINITY, .gain = 0};
-    Watch watch = {crowd, run, processor_time(), patience, INFINITY, 0};
+    *run = (CrowdRun){.rows = g_array_new(FALSE, FALSE, sizeof(double)),
+                      .claims = g_array_new(FALSE, FALSE, sizeof(double)),
+                      .overlap = -INFINITY,
+                      .gain = 0};
+    Watch watch = {crowd, run, processor_time(), patience, INFINITY, 0, claims};
     g_autoptr(TinkerScene) scene =
         tinker_scene_read_text(catalogue, crowd->text, strlen(crowd->text), NULL, NULL, error);
     const gboolean done = scene != NULL && run_scene(scene, &watch, tolerance, error);
@@ -200,4 +205,5 @@ gboolean crowd_run(TinkerCatalogue *catalogue, const Crowd *crowd, double tolera
 void crowd_run_clear(CrowdRun *run)
 {
     g_array_unref(run->rows);
+    g_array_unref(run->claims);
 }

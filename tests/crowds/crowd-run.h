@@ -11,6 +11,7 @@
 
 typedef struct {
     GArray *rows;           /* of double: CROWD_COLUMNS a body, sample by sample */
+    GArray *claims;         /* of double: the error estimate, sample by sample; NAN without */
     guint samples;          /* at even times from 0 to the duration */
     double balance;         /* of the energy books: the largest, relative */
     double overlap;         /* m: the largest of two bodies, or of a body and a wall */
@@ -22,9 +23,10 @@ typedef struct {
 } CrowdRun;
 
 /* Runs it to its end at this tolerance. FALSE with `error` where it stopped, or took more than `patience` (s) of the
- * processor's time: what came before is in *run all the same. Free it with crowd_run_clear. */
-gboolean crowd_run(TinkerCatalogue *catalogue, const Crowd *crowd, double tolerance, double patience, CrowdRun *run,
-                   GError **error);
+ * processor's time: what came before is in *run all the same. `claims`: it is to estimate its error. Free it with
+ * crowd_run_clear. */
+gboolean crowd_run(TinkerCatalogue *catalogue, const Crowd *crowd, double tolerance, double patience, gboolean claims,
+                   CrowdRun *run, GError **error);
 void crowd_run_clear(CrowdRun *run);
 
 #endif

@@ -293,6 +293,50 @@ static void test_twins(void)
     }
 }
 
+/* A body that stands on two corners at the foot of a wall, which one of them touches: the wall and the friction on the
+ * floor may share what pushes it sideways, and the friction at the wall goes by its share. Something strikes it from
+ * above, where it stands or beside that. What comes of it does not hang on rounding, of the speeds before nor of those
+ * of others that slide along by themselves. */
+static void test_corner(void)
+{
+    enum { CONTACTS = 5, COORDINATES = 7, WIDTH = 2 * CONTACTS };
+    g_autoptr(GRand) random = g_rand_new_with_seed(7);
+    for (int32_t round = 0; round < 300; round++) {
+        const double a = g_rand_double_range(random, 0.1, 0.6), b = g_rand_double_range(random, 0.1, 0.6),
+                     h = g_rand_double_range(random, 0.1, 0.6), top = g_rand_double_range(random, 0, 0.6),
+                     s = g_rand_double_range(random, -1.5 * a, b), mu = g_rand_double_range(random, 0.05, 0.8);
+        const double rows[WIDTH][COORDINATES] = {
+            {0, 1, -a}, {1, 0, h},         {0, 1, b},           {1, 0, h},          {-1, 0, -h},
+            {0, 1, b},  {0, -1, -s, 0, 1}, {-1, 0, -top, 1, 0}, {0, 0, 0, 0, 0, 1}, {0, 0, 0, 0, 0, 0, 1}};
+        const double inverse[COORDINATES] = {1, 1, 1 / g_rand_double_range(random, 0.02, 0.2), 0.4, 0.4, 1, 1};
+        const double v[COORDINATES] = {0, 0, 0, g_rand_double_range(random, -1, 1), -4, 0, 3};
+        double w[WIDTH * WIDTH] = {0}, friction[CONTACTS], restitution[CONTACTS] = {0}, first[WIDTH];
+        for (int32_t i = 0; i < WIDTH; i++)
+            for (int32_t j = 0; j < WIDTH; j++)
+                for (int32_t c = 0; c < COORDINATES; c++)
+                    w[i * WIDTH + j] += rows[i][c] * rows[j][c] * inverse[c];
+        for (int32_t k = 0; k < CONTACTS; k++)
+            friction[k] = mu;
+        for (int32_t noise = 0; noise < 12; noise++) {
+            double u[WIDTH], p[WIDTH];
+            for (int32_t i = 0; i < WIDTH; i++) {
+                u[i] = noise * g_rand_double_range(random, -1e-17, 1e-17);
+                for (int32_t c = 0; c < COORDINATES; c++)
+                    u[i] += rows[i][c] * v[c];
+            }
+            const TinkerImpact impact = {CONTACTS, w, u, restitution, friction};
+            g_assert_cmpint(tinker_impact_solve(&impact, p), ==, TINKER_CONTACT_SOLVED);
+            assert_laws(CONTACTS, w, u, friction, p);
+            for (int32_t i = 0; i < WIDTH; i++) {
+                for (int32_t j = 0; j < WIDTH; j++)
+                    u[i] += w[i * WIDTH + j] * p[j];
+                if (noise == 0) first[i] = u[i];
+                g_assert_cmpfloat_with_epsilon(u[i], first[i], 1e-9);
+            }
+        }
+    }
+}
+
 int main(int argc, char **argv)
 {
     g_test_init(&argc, &argv, NULL);
@@ -305,5 +349,6 @@ int main(int argc, char **argv)
     g_test_add_func("/contact-laws/impact/wedge", test_wedge);
     g_test_add_func("/contact-laws/impact/pivot", test_pivot);
     g_test_add_func("/contact-laws/impact/twins", test_twins);
+    g_test_add_func("/contact-laws/impact/corner", test_corner);
     return g_test_run();
 }

@@ -38,7 +38,8 @@ static gboolean leaves_open(const TinkerContactWork *work, double tolerance)
     return open;
 }
 
-/* Whether the impulses keep the laws; what may hold and does counts as holding. */
+/* Whether the impulses keep the laws; what may hold and does counts as holding. Where all that
+ * meets is rounding beside the largest velocity nothing closes: the path of pivots has no impulses so small. */
 static gboolean keeps_laws(TinkerContactWork *work, double tolerance)
 {
     tinker_contact_velocities(&work->problem, work->p, work->v, work->size);
@@ -46,7 +47,23 @@ static gboolean keeps_laws(TinkerContactWork *work, double tolerance)
         if (work->state[k] != TINKER_STATE_OPEN && tinker_contact_grips(&work->problem, k) &&
             is_still(work, 2 * k + 1, tolerance))
             work->state[k] = TINKER_STATE_STICK;
+    for (int32_t k = 0; k < work->problem.count; k++)
+        if (work->size[2 * k] <= tolerance) work->v[2 * k] = 0;
     return tinker_contact_judge(work, tolerance, NULL);
+}
+
+/* What holds by all of its friction, but for what a path of pivots misses by, is at that bound: free to hold by a
+ * little more while the rounding is taken out, it would stay beyond it; and so would what slips. */
+static void put_on_bounds(TinkerContactWork *work)
+{
+    const TinkerContactProblem *problem = &work->problem;
+    for (int32_t k = 0; k < problem->count; k++) {
+        const double normal = tinker_contact_normal(problem, work->p, k), bound = problem->friction[k] * normal;
+        double *along = &work->p[2 * k + 1];
+        if (!tinker_contact_grips(problem, k) || !(bound > 0) || fabs(*along) < (1 - TINKER_AT_BOUND) * bound) continue;
+        work->state[k] = *along < 0 ? TINKER_STATE_FORWARD : TINKER_STATE_BACKWARD;
+        *along = tinker_contact_slope(problem, k, work->state[k]) * normal;
+    }
 }
 
 /* The least with these coefficients of friction and least normal impulses, which may be less and more than the true
@@ -64,6 +81,7 @@ static gboolean find_least(TinkerContactWork *work, double tolerance, double mis
         if (!solved) return FALSE;
         memcpy(work->centre, work->p, bytes);
         if (pass == 0) continue;
+        put_on_bounds(work);
         tinker_contact_velocities(&work->problem, work->p, work->v, work->size);
         tinker_contact_correct(work); /* of the rounding in a path of pivots */
         if (keeps_laws(work, tolerance) && tinker_contact_miss(work) <= miss) return TRUE;

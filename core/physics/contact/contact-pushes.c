@@ -103,7 +103,11 @@ void tinker_contact_row_push(TinkerContacts *contacts, const TinkerContactRow *r
 
 void tinker_contacts_end_pushes(TinkerContacts *contacts, double *v)
 {
-    if (contacts->pushed) tinker_constraints_answer(contacts->model, v);
+    const TinkerConstraints *all = &contacts->model->constraints;
+    if (contacts->pushed)
+        tinker_constraints_answer(contacts->model, v);
+    else if (contacts->pin_count > 0) /* pins ask what joints answered with: nothing, where no push reached them */
+        memset(all->lambda, 0, (gsize)all->rows * sizeof(double));
 }
 
 void tinker_contacts_push(TinkerContacts *contacts, int32_t body, double px, double py, double *v)

@@ -93,8 +93,10 @@ static void note_leaving(TinkerContactChange *change)
         TinkerContactPair pair = {at->contact.body, at->contact.plate, at->row};
         gboolean left = change->trigger.kind == TINKER_TRIGGER_LEAVING && tinker_change_is_trigger(change, at);
         gboolean parts = at->contact.mode == TINKER_CONTACT_OPEN && !left && !tinker_change_changes_side(change, at);
+        /* by turns it is pressed and leaves by rounding: where it is back its gap tells */
+        const gboolean by_gap = change->turns && at->row < 0 && tinker_change_is_trigger(change, at);
         gboolean held = tinker_change_other_side(change, at) != NULL && (at->was == TINKER_CONTACT_OPEN || at->struck);
-        if (parts && !held && !tinker_contact_run_leaves(change->run, &pair) &&
+        if (parts && !by_gap && !held && !tinker_contact_run_leaves(change->run, &pair) &&
             !tinker_change_approaches(change, &pair))
             g_array_append_val(leaving, pair);
     }

@@ -280,8 +280,19 @@ static void take_rows(TinkerContactChange *change, double tolerance)
     }
 }
 
-/* Within this (m) of a plate that it has just left a body is there for a blow: rounding, and no more than what a method
- * that holds a tolerance makes of a place. */
+/* Whether joints tie one of the two to others. */
+static gboolean is_tied(const TinkerContactChange *change, const TinkerContactPair *pair)
+{
+    const gboolean *held = change->contacts->held;
+    const TinkerTouchingPair *shapes = change->contacts->plates[pair->plate].pair;
+    for (int k = 0; shapes != NULL && k < 2; k++)
+        if (shapes->point[k] < change->model->bodies && held[shapes->point[k]]) return TRUE;
+    return held[pair->body];
+}
+
+/* Within this (m) of a plate that it has just left a body is there for a blow: rounding, and, of what joints tie
+ * together, no more than what a method that holds a tolerance makes of a place. There a blow on one throws back many at
+ * once; of loose bodies one is struck after the other, and what they do then depends on the order. */
 static double left_gap(const TinkerContactChange *change, double tolerance)
 {
     const TinkerIslandRun *run = change->run->run;
@@ -296,13 +307,14 @@ static double left_gap(const TinkerContactChange *change, double tolerance)
 static void take_leaving(TinkerContactChange *change, double tolerance)
 {
     const TinkerContactRun *self = change->run;
-    const double near = self->leaving->len > 0 ? left_gap(change, tolerance) : 0;
+    const double tied = self->leaving->len > 0 ? left_gap(change, tolerance) : 0;
     for (guint i = 0; i < self->leaving->len; i++) {
         const TinkerContactPair *pair = &g_array_index(self->leaving, TinkerContactPair, i);
         if (pair->row >= 0 || self->together[pair->body] != change->group) continue;
         TinkerTouch taken = {.contact = {.body = pair->body, .plate = pair->plate}, .row = -1, .leaves = TRUE};
         taken.place = place_of(change, &taken);
         const gboolean closes = is_closed(change, &taken, tolerance) || meets_now(change, &taken);
+        const double near = is_tied(change, pair) ? tied : tolerance;
         if (!closes && fabs(taken.place.gap) <= near &&
             tinker_contact_is_over(self->contacts, pair->plate, &taken.place, tolerance))
             add_touch(change, &taken);

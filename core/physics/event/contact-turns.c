@@ -1,6 +1,8 @@
 /* Contacts that change by turns at one instant: closed, a force falls below 0, open, an acceleration does, and so on
  * without end, as corners at corners do, where nothing divides a load; or two that stop by turns, each while the other
- * slides on. Others are asked with them then (contact-modes.c, contact-shares.c).
+ * slides on. Others are asked with them then (contact-modes.c, contact-shares.c). Where a corner stands beside another
+ * that bears the body already, as two do at the foot of one wall, what presses it is rounding, and so is what parts it:
+ * then its gap is watched and not what accelerates it (contact-change.c).
  *
  * And bodies that strike by turns what closes on them from both sides: each blow throws them at the other side, ever
  * sooner, until the gaps are rounding. What infinitely many such blows do within no time is one without any rebound

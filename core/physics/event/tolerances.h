@@ -10,8 +10,8 @@
 #define TINKER_CLOSED_GAP 1e-13
 /* No unit; of the extent: beyond this bodies that leave a plate are clear of it. */
 #define TINKER_CLEAR 1e-9
-/* No unit; of the tolerance times the extent: a gap of what has just opened that is nothing beside what steps make of
- * places. */
+/* No unit; of the tolerance times the extent: a gap of what has just opened, and joints tie, that is nothing beside
+ * what steps make of places. */
 #define TINKER_LEFT 1e-2
 /* No unit; of the largest speed: slower is rounding. What parts or strikes is held against
  * tinker_change_speed_scale instead: it opens and closes contacts, also where rounding is all that moves. */
