@@ -28,6 +28,7 @@ typedef struct RkStepper {
     TinkerStepControl control;
     double first_step;
     double reach;             /* s: how long the next step was to be behind the last whole one; 0: not known */
+    double brief_h;           /* s: steps up to here are tried briefly */
     double *q0, *v0, *books0; /* the start of the last step */
     double *q, *v;            /* a stage, the trial's end */
     double *error_q, *error_v;

@@ -14,9 +14,9 @@
 #include "numerics/integrate/stepping.h"
 
 #define REJECTIONS_CAP 100
-/* Of the length of whole steps: a shorter one is tried with fewer stages, and ... */
+/* Of the length of whole steps: one so short is tried with fewer stages, ... */
 #define BRIEF 0.01
-/* ... times the tolerance: done with them where it is off by no more. */
+/* ... and done with them where its error, beside the tolerance, is no more than this. */
 #define BRIEF_ERROR 1e-3
 
 /* --- one trial --- */
@@ -189,19 +189,30 @@ void tinker_explicit_rk_restart(void *data)
     tinker_step_control_forget(&stepper->control);
 }
 
+/* How long a step may be that is tried briefly, from the error of such a trial. A short one does not lower it. */
+static void learn_brief(RkStepper *stepper, double h, double error)
+{
+    const TinkerStepLaw *law = &stepper->brief.tableau->law;
+    double factor = law->greatest_factor;
+    if (error > 0.0) factor = fmin(factor, pow(error / BRIEF_ERROR, -law->exponent));
+    if (!(factor > law->least_factor)) factor = law->least_factor;
+    stepper->brief_h = factor < 1.0 ? factor * h : fmax(stepper->brief_h, factor * h);
+}
+
 /* A step far shorter than the method's own, in one trial, where the error of fewer stages is nothing beside the
  * tolerance. Else the step is not done. How long steps are is known from the last whole one, whatever has happened to
  * the motion since then: the error is judged as that of a part of one. */
 static TinkerStatus try_briefly(RkStepper *stepper, TinkerState *state, double limit, TinkerStepReport *report)
 {
     const double h = limit - state->t, usual = stepper->control.usual;
-    if (stepper->brief.tableau == NULL || !(h <= BRIEF * stepper->reach)) return TINKER_OK;
+    if (stepper->brief.tableau == NULL || !(h <= stepper->brief_h)) return TINKER_OK;
     double error = INFINITY;
     stepper->scheme = &stepper->brief;
     stepper->t1 = limit;
     stepper->control.usual = fmax(usual, stepper->reach);
     TinkerStatus status = try_step(stepper, h, &error);
     stepper->control.usual = usual;
+    learn_brief(stepper, h, error);
     if (status == TINKER_OK && error <= BRIEF_ERROR) status = commit(stepper, state, h);
     if (!stepper->done) stepper->scheme = &stepper->whole;
     report->step = h;
@@ -234,6 +245,7 @@ TinkerStatus tinker_explicit_rk_step(void *data, TinkerState *state, double limi
         if (stepper->done) {
             tinker_step_control_accept(&stepper->control, h, error, report->rejected > 0);
             stepper->reach = stepper->control.h;
+            stepper->brief_h = fmax(stepper->brief_h, BRIEF * stepper->reach);
             report->step = h;
             report->error = error;
             return TINKER_OK;

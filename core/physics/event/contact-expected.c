@@ -113,7 +113,7 @@ static G_NO_INLINE void expect_arrival(TinkerContactRun *self)
 {
     const TinkerIslandRun *run = self->run;
     double soonest = TINKER_SOON * self->usual;
-    if (tinker_contact_run_evaluate_start(self) != TINKER_OK) return;
+    if (isnan(self->start.at.t) && tinker_contact_run_evaluate_start(self) != TINKER_OK) return;
     tinker_contact_run_hand_start_on(self);
     if (self->near->len == 0 || self->contacts->moving_plates > 0) return;
     const double closed = tinker_contact_run_closed_gap(self);
@@ -135,7 +135,6 @@ static G_NO_INLINE void expect_arrival(TinkerContactRun *self)
 void tinker_contact_run_expect(TinkerContactRun *self)
 {
     self->expects = FALSE;
-    tinker_contact_run_forget_start(self);
     if (self->passed && self->in_plane && !self->remembers && !isfinite(self->hint) &&
         tinker_method_is_adaptive(self->run->choice.method))
         expect_arrival(self);
@@ -152,4 +151,81 @@ void tinker_contact_run_take_expected(TinkerContactRun *self, TinkerTrigger *fou
     *found = self->hint_trigger;
     *time = run->state.t + left;
     *slope = place.normal_speed;
+}
+
+/* At once ---------------------------------------------------------------------------------------------------------- */
+
+/* Whether it is a force of a closed contact: what presses, and what friction may be more. */
+static gboolean is_of_load(const TinkerTrigger *trigger)
+{
+    return trigger->row < 0 && trigger->kind >= TINKER_TRIGGER_NORMAL && trigger->kind <= TINKER_TRIGGER_BACKWARD;
+}
+
+/* The values of such triggers by the forces worked out last, `stride` apart. */
+static void fill_loads(TinkerContactRun *self, double *values, guint stride)
+{
+    tinker_contact_run_note_force_scales(self);
+    for (guint i = 0; i < self->triggers->len; i++) {
+        const TinkerTrigger *trigger = &g_array_index(self->triggers, TinkerTrigger, i);
+        if (is_of_load(trigger)) values[stride * i] = tinker_trigger_value(self, trigger);
+    }
+}
+
+/* The forces a part of a usual step later, where the present accelerations lead. */
+static TinkerStatus look_ahead(TinkerContactRun *self, double by)
+{
+    const TinkerState *state = &self->run->state;
+    for (int32_t i = 0; i < self->run->system.system.size; i++) {
+        self->node_x[i] = state->q[i] + by * (state->v[i] + 0.5 * by * self->start.force[i]);
+        self->node_u[i] = state->v[i] + by * self->start.force[i];
+    }
+    return tinker_contact_run_look_at(self, state->t + by, self->node_x, self->node_u, NULL);
+}
+
+/* Whether any of them is no more than rounding where the step begins. */
+static gboolean is_any_at_its_end(TinkerContactRun *self)
+{
+    fill_loads(self, self->values, 3);
+    for (guint i = 0; i < self->triggers->len; i++) {
+        const TinkerTrigger *trigger = &g_array_index(self->triggers, TinkerTrigger, i);
+        if (is_of_load(trigger) && self->values[3 * i] <= -tinker_trigger_level(self, trigger, 0)) return TRUE;
+    }
+    return FALSE;
+}
+
+/* The first that is nothing, and less from the start on; NULL for none, or where a step has to tell. */
+static const TinkerTrigger *first_to_fall(TinkerContactRun *self)
+{
+    for (guint i = 0; i < self->triggers->len; i++) {
+        const TinkerTrigger *trigger = &g_array_index(self->triggers, TinkerTrigger, i);
+        const double *values = self->values + 3 * i;
+        if (!is_of_load(trigger)) continue;
+        const double change = fabs(values[2] - values[0]) / self->nodes[1]; /* within all of a step */
+        const double level = tinker_trigger_level(self, trigger, 0);
+        if (values[0] <= TINKER_NOTHING * change && values[2] < level) return values[1] <= values[0] ? trigger : NULL;
+    }
+    return NULL;
+}
+
+gboolean tinker_contact_run_next_at_once(TinkerContactRun *self, TinkerTrigger *next)
+{
+    const TinkerIslandRun *run = self->run;
+    const TinkerTrigger *found = NULL;
+    const double by = fmin(self->usual, run->piece_end - run->state.t);
+    if (!tinker_method_is_adaptive(run->choice.method) || self->remembers || !(by > 0)) return FALSE;
+    if (self->contacts->closed->len == 0) return FALSE;
+    tinker_contact_run_keep_start(self);
+    if (tinker_contact_run_evaluate_start(self) != TINKER_OK) return FALSE;
+    if (tinker_contact_run_list_triggers(self) != TINKER_OK || !is_any_at_its_end(self)) return FALSE;
+    if (look_ahead(self, TINKER_FALLS_AT_ONCE * by) == TINKER_OK) {
+        fill_loads(self, self->values + 1, 3);
+        if (look_ahead(self, self->nodes[1] * by) == TINKER_OK) {
+            fill_loads(self, self->values + 2, 3);
+            found = first_to_fall(self);
+        }
+    }
+    tinker_contact_run_recall_start(self, self->start.at.t);
+    tinker_contact_run_forget_start(self);
+    if (found != NULL) *next = *found;
+    return found != NULL;
 }
