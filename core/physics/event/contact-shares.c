@@ -90,13 +90,15 @@ static void share_evenly(TinkerContactChange *change, const TinkerContact *kept)
 }
 
 /* Corners of one pair that stick on one line hold together, each by what presses on it: only the sum of their friction
- * is determined, and all of them reach their limit at once. */
+ * is determined, and all of them reach their limit at once. Closed contacts are in the order of their bodies. */
 static void share_by_load(TinkerContactChange *change, const TinkerContact *kept)
 {
     TinkerContacts *contacts = change->contacts;
+    guint first = 0; /* of the body */
     for (guint i = 0; i < contacts->closed->len; i++) {
         double normal = 0, friction = 0;
-        for (guint k = 0; k < contacts->closed->len; k++) {
+        if (kept[i].body != kept[first].body) first = i;
+        for (guint k = first; k < contacts->closed->len && kept[k].body == kept[i].body; k++) {
             if (!tinker_contacts_stick_together(contacts, &kept[i], &kept[k])) continue;
             normal += kept[k].base_normal;
             friction += kept[k].base_friction;
