@@ -107,6 +107,20 @@ static void share_by_load(TinkerContactChange *change, const TinkerContact *kept
     }
 }
 
+/* Whether any two corners hold together, so that shares by load differ from others. */
+static gboolean is_any_together(const TinkerContactChange *change)
+{
+    const TinkerContacts *contacts = change->contacts;
+    guint first = 0; /* of the body */
+    for (guint i = 0; i < contacts->closed->len; i++) {
+        const TinkerContact *contact = tinker_contacts_closed(contacts, i);
+        if (contact->body != tinker_contacts_closed(contacts, first)->body) first = i;
+        for (guint k = first; k < i; k++)
+            if (tinker_contacts_stick_together(contacts, contact, tinker_contacts_closed(contacts, k))) return TRUE;
+    }
+    return FALSE;
+}
+
 /* The share of least norm between bodies; corners that hold together by what presses on each, as friction that all bear
  * alike may be beyond the limit of the one that is pressed less. */
 static void share_evenly_by_load(TinkerContactChange *change, const TinkerContact *kept)
@@ -140,6 +154,7 @@ static gboolean try_share(TinkerContactChange *change, void (*share)(TinkerConta
     if (keeps && parts_as_said(change)) return TRUE;
     memcpy(contacts->closed->data, kept, contacts->closed->len * sizeof(TinkerContact));
     tinker_contacts_take_shares(contacts);
+    change->run->looked_time = NAN; /* those forces are of another share */
     return FALSE;
 }
 
@@ -304,9 +319,10 @@ static gboolean share_where_it_turns(TinkerContactChange *change)
 
 gboolean tinker_change_share_load(TinkerContactChange *change)
 {
-    if (try_share(change, share_evenly) || try_share(change, share_evenly_by_load)) return TRUE;
+    const gboolean by_load = is_any_together(change);
+    if (try_share(change, share_evenly) || (by_load && try_share(change, share_evenly_by_load))) return TRUE;
     if ((change->turns || tinker_change_repeats(change)) && share_within(change)) return TRUE;
     if (change->turns && change->trigger.row < 0 && share_where_it_turns(change)) return TRUE;
-    try_share(change, share_by_load);
+    if (by_load) try_share(change, share_by_load);
     return FALSE;
 }
