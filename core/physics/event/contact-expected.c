@@ -193,25 +193,39 @@ static gboolean is_any_at_its_end(TinkerContactRun *self)
     return FALSE;
 }
 
-/* The first that is nothing, and less from the start on; NULL for none, or where a step has to tell. */
-static const TinkerTrigger *first_to_fall(TinkerContactRun *self)
+/* Whether it is nothing, and less from the start on; *sure is FALSE where a step has to tell. */
+static gboolean falls_now(TinkerContactRun *self, guint number, gboolean *sure)
 {
+    const TinkerTrigger *trigger = &g_array_index(self->triggers, TinkerTrigger, number);
+    const double *values = self->values + 3 * number;
+    if (!is_of_load(trigger)) return FALSE;
+    const double change = fabs(values[2] - values[0]) / self->nodes[1]; /* within all of a step */
+    if (!(values[0] <= TINKER_NOTHING * change) || !(values[2] < tinker_trigger_level(self, trigger, 0))) return FALSE;
+    *sure = values[1] <= values[0];
+    return TRUE;
+}
+
+/* The first that does so; those that reach the limit of sticking with it are noted. */
+static gboolean find_falling(TinkerContactRun *self, TinkerTrigger *first)
+{
+    gboolean found = FALSE, sure;
     for (guint i = 0; i < self->triggers->len; i++) {
         const TinkerTrigger *trigger = &g_array_index(self->triggers, TinkerTrigger, i);
-        const double *values = self->values + 3 * i;
-        if (!is_of_load(trigger)) continue;
-        const double change = fabs(values[2] - values[0]) / self->nodes[1]; /* within all of a step */
-        const double level = tinker_trigger_level(self, trigger, 0);
-        if (values[0] <= TINKER_NOTHING * change && values[2] < level) return values[1] <= values[0] ? trigger : NULL;
+        if (!falls_now(self, i, &sure)) continue;
+        if (!found && !sure) return FALSE;
+        if (!found) *first = *trigger;
+        if (found && sure && trigger->kind != TINKER_TRIGGER_NORMAL) g_array_append_val(self->alike, *trigger);
+        found = TRUE;
     }
-    return NULL;
+    return found;
 }
 
 gboolean tinker_contact_run_next_at_once(TinkerContactRun *self, TinkerTrigger *next)
 {
     const TinkerIslandRun *run = self->run;
-    const TinkerTrigger *found = NULL;
+    gboolean found = FALSE;
     const double by = fmin(self->usual, run->piece_end - run->state.t);
+    g_array_set_size(self->alike, 0);
     if (!tinker_method_is_adaptive(run->choice.method) || self->remembers || !(by > 0)) return FALSE;
     if (self->contacts->closed->len == 0) return FALSE;
     tinker_contact_run_keep_start(self);
@@ -221,11 +235,10 @@ gboolean tinker_contact_run_next_at_once(TinkerContactRun *self, TinkerTrigger *
         fill_loads(self, self->values + 1, 3);
         if (look_ahead(self, self->nodes[1] * by) == TINKER_OK) {
             fill_loads(self, self->values + 2, 3);
-            found = first_to_fall(self);
+            found = find_falling(self, next);
         }
     }
     tinker_contact_run_recall_start(self, self->start.at.t);
     tinker_contact_run_forget_start(self);
-    if (found != NULL) *next = *found;
-    return found != NULL;
+    return found;
 }

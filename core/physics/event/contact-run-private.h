@@ -85,6 +85,7 @@ struct _TinkerContactRun {
     double speed_bound;
     gboolean pending; /* the state stands on it */
     TinkerTrigger pending_trigger;
+    GArray *alike; /* of TinkerTrigger: contacts that reach the limit of sticking with the one that is passed */
 
     /* an endless sequence of events */
     double crowd_began;

@@ -41,6 +41,7 @@ static void allot(TinkerContactRun *self)
     self->near = g_array_sized_new(FALSE, FALSE, sizeof(TinkerContactPair), pairs);
     self->leaving = g_array_sized_new(FALSE, FALSE, sizeof(TinkerContactPair), pairs);
     self->struck = g_array_new(FALSE, FALSE, sizeof(int32_t));
+    self->alike = g_array_new(FALSE, FALSE, sizeof(TinkerTrigger));
     self->turns = tinker_contact_turns_new();
     self->triggers = g_array_sized_new(FALSE, FALSE, sizeof(TinkerTrigger), 2 * pairs);
     self->falling = g_array_sized_new(FALSE, FALSE, sizeof(guint), 2 * pairs);
@@ -95,6 +96,7 @@ void tinker_contact_run_free(TinkerContactRun *self)
     g_array_unref(self->near);
     g_array_unref(self->leaving);
     g_array_unref(self->struck);
+    g_array_unref(self->alike);
     g_array_unref(self->turns);
     g_array_unref(self->triggers);
     g_array_unref(self->falling);
@@ -282,6 +284,7 @@ gboolean tinker_contact_run_pass(TinkerContactRun *self, GError **error)
     do
         if (!pass_pending(self, error)) return FALSE;
     while (tinker_contact_run_next_at_once(self, &self->pending_trigger));
+    g_array_set_size(self->alike, 0);
     tinker_method_restart(run->choice.method, run->stepper);
     return TRUE;
 }
