@@ -155,19 +155,19 @@ void tinker_contact_run_take_expected(TinkerContactRun *self, TinkerTrigger *fou
 
 /* At once ---------------------------------------------------------------------------------------------------------- */
 
-/* Whether it is a force of a closed contact: what presses, and what friction may be more. */
-static gboolean is_of_load(const TinkerTrigger *trigger)
+/* Whether it is what friction may be more on a contact that sticks. */
+static gboolean is_of_sticking(const TinkerTrigger *trigger)
 {
-    return trigger->row < 0 && trigger->kind >= TINKER_TRIGGER_NORMAL && trigger->kind <= TINKER_TRIGGER_BACKWARD;
+    return trigger->kind == TINKER_TRIGGER_FORWARD || trigger->kind == TINKER_TRIGGER_BACKWARD;
 }
 
 /* The values of such triggers by the forces worked out last, `stride` apart. */
-static void fill_loads(TinkerContactRun *self, double *values, guint stride)
+static void fill_left(TinkerContactRun *self, double *values, guint stride)
 {
     tinker_contact_run_note_force_scales(self);
     for (guint i = 0; i < self->triggers->len; i++) {
         const TinkerTrigger *trigger = &g_array_index(self->triggers, TinkerTrigger, i);
-        if (is_of_load(trigger)) values[stride * i] = tinker_trigger_value(self, trigger);
+        if (is_of_sticking(trigger)) values[stride * i] = tinker_trigger_value(self, trigger);
     }
 }
 
@@ -185,10 +185,10 @@ static TinkerStatus look_ahead(TinkerContactRun *self, double by)
 /* Whether any of them is no more than rounding where the step begins. */
 static gboolean is_any_at_its_end(TinkerContactRun *self)
 {
-    fill_loads(self, self->values, 3);
+    fill_left(self, self->values, 3);
     for (guint i = 0; i < self->triggers->len; i++) {
         const TinkerTrigger *trigger = &g_array_index(self->triggers, TinkerTrigger, i);
-        if (is_of_load(trigger) && self->values[3 * i] <= -tinker_trigger_level(self, trigger, 0)) return TRUE;
+        if (is_of_sticking(trigger) && self->values[3 * i] <= -tinker_trigger_level(self, trigger, 0)) return TRUE;
     }
     return FALSE;
 }
@@ -198,23 +198,33 @@ static gboolean falls_now(TinkerContactRun *self, guint number, gboolean *sure)
 {
     const TinkerTrigger *trigger = &g_array_index(self->triggers, TinkerTrigger, number);
     const double *values = self->values + 3 * number;
-    if (!is_of_load(trigger)) return FALSE;
+    if (!is_of_sticking(trigger)) return FALSE;
     const double change = fabs(values[2] - values[0]) / self->nodes[1]; /* within all of a step */
     if (!(values[0] <= TINKER_NOTHING * change) || !(values[2] < tinker_trigger_level(self, trigger, 0))) return FALSE;
     *sure = values[1] <= values[0];
     return TRUE;
 }
 
-/* The first that does so; those that reach the limit of sticking with it are noted. */
+static gboolean was_asked(const TinkerContactRun *self, const TinkerTrigger *trigger)
+{
+    for (guint i = 0; i < self->asked->len; i++) {
+        const TinkerTrigger *asked = &g_array_index(self->asked, TinkerTrigger, i);
+        if (asked->row < 0 && asked->body == trigger->body && asked->plate == trigger->plate) return TRUE;
+    }
+    return FALSE;
+}
+
+/* The first that does so, unless it or another was asked at this instant already: then it stands at an edge, that a
+ * step has to pass (tinker_contact_run_stays_at_edge). Those that reach the limit of sticking with it are noted. */
 static gboolean find_falling(TinkerContactRun *self, TinkerTrigger *first)
 {
     gboolean found = FALSE, sure;
     for (guint i = 0; i < self->triggers->len; i++) {
         const TinkerTrigger *trigger = &g_array_index(self->triggers, TinkerTrigger, i);
         if (!falls_now(self, i, &sure)) continue;
-        if (!found && !sure) return FALSE;
+        if ((!found && !sure) || was_asked(self, trigger)) return FALSE;
         if (!found) *first = *trigger;
-        if (found && sure && trigger->kind != TINKER_TRIGGER_NORMAL) g_array_append_val(self->alike, *trigger);
+        if (found && sure) g_array_append_val(self->alike, *trigger);
         found = TRUE;
     }
     return found;
@@ -225,6 +235,8 @@ gboolean tinker_contact_run_next_at_once(TinkerContactRun *self, TinkerTrigger *
     const TinkerIslandRun *run = self->run;
     gboolean found = FALSE;
     const double by = fmin(self->usual, run->piece_end - run->state.t);
+    g_array_append_val(self->asked, *next);
+    g_array_append_vals(self->asked, self->alike->data, self->alike->len);
     g_array_set_size(self->alike, 0);
     if (!tinker_method_is_adaptive(run->choice.method) || self->remembers || !(by > 0)) return FALSE;
     if (self->contacts->closed->len == 0) return FALSE;
@@ -232,12 +244,13 @@ gboolean tinker_contact_run_next_at_once(TinkerContactRun *self, TinkerTrigger *
     if (tinker_contact_run_evaluate_start(self) != TINKER_OK) return FALSE;
     if (tinker_contact_run_list_triggers(self) != TINKER_OK || !is_any_at_its_end(self)) return FALSE;
     if (look_ahead(self, TINKER_FALLS_AT_ONCE * by) == TINKER_OK) {
-        fill_loads(self, self->values + 1, 3);
+        fill_left(self, self->values + 1, 3);
         if (look_ahead(self, self->nodes[1] * by) == TINKER_OK) {
-            fill_loads(self, self->values + 2, 3);
+            fill_left(self, self->values + 2, 3);
             found = find_falling(self, next);
         }
     }
+    if (!found) g_array_set_size(self->alike, 0);
     tinker_contact_run_recall_start(self, self->start.at.t);
     tinker_contact_run_forget_start(self);
     return found;

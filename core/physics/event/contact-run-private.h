@@ -86,6 +86,7 @@ struct _TinkerContactRun {
     gboolean pending; /* the state stands on it */
     TinkerTrigger pending_trigger;
     GArray *alike; /* of TinkerTrigger: contacts that reach the limit of sticking with the one that is passed */
+    GArray *asked; /* of TinkerTrigger: what was passed at this instant, one behind the other */
 
     /* an endless sequence of events */
     double crowd_began;

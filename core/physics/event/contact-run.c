@@ -42,6 +42,7 @@ static void allot(TinkerContactRun *self)
     self->leaving = g_array_sized_new(FALSE, FALSE, sizeof(TinkerContactPair), pairs);
     self->struck = g_array_new(FALSE, FALSE, sizeof(int32_t));
     self->alike = g_array_new(FALSE, FALSE, sizeof(TinkerTrigger));
+    self->asked = g_array_new(FALSE, FALSE, sizeof(TinkerTrigger));
     self->turns = tinker_contact_turns_new();
     self->triggers = g_array_sized_new(FALSE, FALSE, sizeof(TinkerTrigger), 2 * pairs);
     self->falling = g_array_sized_new(FALSE, FALSE, sizeof(guint), 2 * pairs);
@@ -97,6 +98,7 @@ void tinker_contact_run_free(TinkerContactRun *self)
     g_array_unref(self->leaving);
     g_array_unref(self->struck);
     g_array_unref(self->alike);
+    g_array_unref(self->asked);
     g_array_unref(self->turns);
     g_array_unref(self->triggers);
     g_array_unref(self->falling);
@@ -281,6 +283,7 @@ gboolean tinker_contact_run_pass(TinkerContactRun *self, GError **error)
     self->passed_impact = self->last_impact;
     self->passed = TRUE;
     self->quiet = 0;
+    g_array_set_size(self->asked, 0);
     do
         if (!pass_pending(self, error)) return FALSE;
     while (tinker_contact_run_next_at_once(self, &self->pending_trigger));
