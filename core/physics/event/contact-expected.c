@@ -155,10 +155,12 @@ void tinker_contact_run_take_expected(TinkerContactRun *self, TinkerTrigger *fou
 
 /* At once ---------------------------------------------------------------------------------------------------------- */
 
-/* Whether it is what friction may be more on a contact that sticks. */
-static gboolean is_of_sticking(const TinkerTrigger *trigger)
+/* Whether it is what friction may be more on a mass that sticks to a top. Where shapes that turn lie on one another
+ * what presses is a share of a load, too, and which of them slip is no more than how it is shared: steps tell. */
+static gboolean is_of_sticking(const TinkerContactRun *self, const TinkerTrigger *trigger)
 {
-    return trigger->kind == TINKER_TRIGGER_FORWARD || trigger->kind == TINKER_TRIGGER_BACKWARD;
+    const gboolean limit = trigger->kind == TINKER_TRIGGER_FORWARD || trigger->kind == TINKER_TRIGGER_BACKWARD;
+    return limit && trigger->plate < self->contacts->plate_count;
 }
 
 /* The values of such triggers by the forces worked out last, `stride` apart. */
@@ -167,7 +169,7 @@ static void fill_left(TinkerContactRun *self, double *values, guint stride)
     tinker_contact_run_note_force_scales(self);
     for (guint i = 0; i < self->triggers->len; i++) {
         const TinkerTrigger *trigger = &g_array_index(self->triggers, TinkerTrigger, i);
-        if (is_of_sticking(trigger)) values[stride * i] = tinker_trigger_value(self, trigger);
+        if (is_of_sticking(self, trigger)) values[stride * i] = tinker_trigger_value(self, trigger);
     }
 }
 
@@ -188,7 +190,8 @@ static gboolean is_any_at_its_end(TinkerContactRun *self)
     fill_left(self, self->values, 3);
     for (guint i = 0; i < self->triggers->len; i++) {
         const TinkerTrigger *trigger = &g_array_index(self->triggers, TinkerTrigger, i);
-        if (is_of_sticking(trigger) && self->values[3 * i] <= -tinker_trigger_level(self, trigger, 0)) return TRUE;
+        if (is_of_sticking(self, trigger) && self->values[3 * i] <= -tinker_trigger_level(self, trigger, 0))
+            return TRUE;
     }
     return FALSE;
 }
@@ -198,7 +201,7 @@ static gboolean falls_now(TinkerContactRun *self, guint number, gboolean *sure)
 {
     const TinkerTrigger *trigger = &g_array_index(self->triggers, TinkerTrigger, number);
     const double *values = self->values + 3 * number;
-    if (!is_of_sticking(trigger)) return FALSE;
+    if (!is_of_sticking(self, trigger)) return FALSE;
     const double change = fabs(values[2] - values[0]) / self->nodes[1]; /* within all of a step */
     if (!(values[0] <= TINKER_NOTHING * change) || !(values[2] < tinker_trigger_level(self, trigger, 0))) return FALSE;
     *sure = values[1] <= values[0];
