@@ -240,8 +240,8 @@ static void test_halted_in_line(void)
 }
 
 /* A row that lies on the floor is pulled at one end by 10 N more every second: all hold until that is what they can
- * hold together, and then all slip at one instant, for which no more is decided than for one of them. Nothing but the
- * force that is more than friction accelerates the row then. */
+ * hold together, and then all slip at one instant, most of them by one decision. Nothing but the force that is more
+ * than friction accelerates the row then. */
 static void test_row_slips_at_once(void)
 {
     enum { COUNT = 40 };
@@ -263,7 +263,7 @@ static void test_row_slips_at_once(void)
         if (g_str_equal(event->kind, "slip")) physics_assert_near("all at once", event->time, slips, 1e-9);
     }
     physics_assert_near("the row moves", physics_last(run, 0), 10.0 * pow(duration - slips, 3) / 6 / COUNT, 1e-9);
-    g_assert_cmpint(run->summary->contact_changes, <, 8);
+    g_assert_cmpint(run->summary->contact_changes, <, COUNT / 2);
 }
 
 static void add_tests(void)

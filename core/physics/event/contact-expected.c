@@ -202,8 +202,8 @@ static gboolean falls_now(TinkerContactRun *self, guint number, gboolean *sure)
     const TinkerTrigger *trigger = &g_array_index(self->triggers, TinkerTrigger, number);
     const double *values = self->values + 3 * number;
     if (!is_of_sticking(self, trigger)) return FALSE;
-    const double change = fabs(values[2] - values[0]) / self->nodes[1]; /* within all of a step */
-    if (!(values[0] <= TINKER_NOTHING * change) || !(values[2] < tinker_trigger_level(self, trigger, 0))) return FALSE;
+    const double level = tinker_trigger_level(self, trigger, 0); /* what is nearer to 0 is 0 but for rounding */
+    if (!(values[0] <= -level) || !(values[2] < level)) return FALSE;
     *sure = values[1] <= values[0];
     return TRUE;
 }
