@@ -1,6 +1,7 @@
 /* Contacts that follow upon one another, as of a chain that strikes the ground link by link: a step is made for the
  * next one where that is to come soon, and its state is carried the little way that is left to the event, so that
- * hardly any step is made twice. */
+ * hardly any step is made twice. And masses that lie in a row and reach the limit of sticking together: no step is made
+ * from one to the other. */
 #include <float.h>
 #include <math.h>
 
@@ -242,7 +243,7 @@ gboolean tinker_contact_run_next_at_once(TinkerContactRun *self, TinkerTrigger *
     g_array_append_vals(self->asked, self->alike->data, self->alike->len);
     g_array_set_size(self->alike, 0);
     if (!tinker_method_is_adaptive(run->choice.method) || self->remembers || !(by > 0)) return FALSE;
-    if (self->contacts->closed->len == 0) return FALSE;
+    if (self->contacts->closed->len == 0 || self->model->constraints.unilateral != NULL) return FALSE;
     tinker_contact_run_keep_start(self);
     if (tinker_contact_run_evaluate_start(self) != TINKER_OK) return FALSE;
     if (tinker_contact_run_list_triggers(self) != TINKER_OK || !is_any_at_its_end(self)) return FALSE;
