@@ -110,7 +110,8 @@ int main(int argc, char **argv)
     const struct {
         const char *name;
         const TinkerTableau *tableau;
-    } all[] = {{"dopri5", &tinker_tableau_dopri5}, {"dop853", &tinker_tableau_dop853}, {"kutta", &tinker_tableau_kutta}};
+    } all[] = {
+        {"dopri5", &tinker_tableau_dopri5}, {"dop853", &tinker_tableau_dop853}, {"kutta", &tinker_tableau_kutta}};
     const struct {
         const char *name;
         GTestDataFunc test;
