@@ -72,7 +72,7 @@ static void test_order_conditions(gconstpointer data)
 static void test_embedded(gconstpointer data)
 {
     const TinkerTableau *tableau = data;
-    int order = tableau->order == 8 ? 5 : 4;
+    int order = tableau->order == 8 ? 5 : tableau->order - 1;
     double embedded[TINKER_RK_STAGES_CAP] = {0};
     for (int i = 0; i < count_of(tableau); i++)
         embedded[i] = tableau->a[tableau->stages][i] - tableau->error[i];
@@ -110,7 +110,8 @@ int main(int argc, char **argv)
     const struct {
         const char *name;
         const TinkerTableau *tableau;
-    } all[] = {{"dopri5", &tinker_tableau_dopri5}, {"dop853", &tinker_tableau_dop853}};
+    } all[] = {
+        {"dopri5", &tinker_tableau_dopri5}, {"dop853", &tinker_tableau_dop853}, {"kutta", &tinker_tableau_kutta}};
     const struct {
         const char *name;
         GTestDataFunc test;

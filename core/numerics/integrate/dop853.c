@@ -188,6 +188,7 @@ const TinkerTableau tinker_tableau_dop853 = {
     .error = error,
     .second_error = second_error,
     .law = {.exponent = 1.0 / 8.0, .memory = 0.0, .least_factor = 0.333, .greatest_factor = 6.0},
+    .brief = &tinker_tableau_kutta,
 };
 
 static void *create(const TinkerSystem *system, const TinkerIntegratorOptions *options)

@@ -25,9 +25,9 @@ static double measure(RkStepper *stepper, const RkRow *row, double h, TinkerErro
 
 static double measure_all(RkStepper *stepper, double h, TinkerErrorScale scale, gboolean tangent)
 {
-    double error = measure(stepper, &stepper->error, h, scale, tangent);
-    if (!stepper->tableau->second_error) return error;
-    return tinker_tableau_join_errors(error, measure(stepper, &stepper->second_error, h, scale, tangent));
+    double error = measure(stepper, &stepper->scheme->error, h, scale, tangent);
+    if (!stepper->scheme->tableau->second_error) return error;
+    return tinker_tableau_join_errors(error, measure(stepper, &stepper->scheme->second_error, h, scale, tangent));
 }
 
 /* The error of the trial whose end lies in (q, v), relative to the tolerance.
@@ -59,7 +59,7 @@ static double find_error_of_motion(RkStepper *stepper, double h)
 static double find_error_of_books(RkStepper *stepper, double h, double error)
 {
     if (!(error <= 1.0) || stepper->system->books == 0) return error;
-    const TinkerBooksTrial trial = {.tableau = stepper->tableau,
+    const TinkerBooksTrial trial = {.tableau = stepper->scheme->tableau,
                                     .a = stepper->a,
                                     .power = stepper->power,
                                     .h = h,

@@ -14,13 +14,21 @@ typedef struct RkRow {
     RkPair weight[TINKER_RK_STAGES_CAP]; /* for q, times h^2; for v, times h */
 } RkRow;
 
-typedef struct RkStepper {
-    const TinkerSystem *system;
+/* A tableau with its rows as they are summed. */
+typedef struct RkScheme {
     const TinkerTableau *tableau;
-    TinkerStepControl control;
-    double first_step;
     RkRow rows[TINKER_RK_STAGES_CAP];
     RkRow error, second_error;
+} RkScheme;
+
+typedef struct RkStepper {
+    const TinkerSystem *system;
+    RkScheme whole, brief;  /* the method's own, and that of its brief steps: without a tableau where it has none */
+    const RkScheme *scheme; /* of the last step, or of the one in progress */
+    TinkerStepControl control;
+    double first_step;
+    double reach;             /* s: how long the next step was to be behind the last whole one; 0: not known */
+    double brief_h;           /* s: steps up to here are tried briefly */
     double *q0, *v0, *books0; /* the start of the last step */
     double *q, *v;            /* a stage, the trial's end */
     double *error_q, *error_v;

@@ -14,13 +14,17 @@
 #include "numerics/integrate/stepping.h"
 
 #define REJECTIONS_CAP 100
+/* Of the length of whole steps: one so short is tried with fewer stages, ... */
+#define BRIEF 0.01
+/* ... and done with them where its error, beside the tolerance, is no more than this. */
+#define BRIEF_ERROR 1e-3
 
 /* --- one trial --- */
 
 static TinkerStatus evaluate(RkStepper *stepper, int stage, double t, const double *q, const double *v)
 {
     const TinkerSystem *system = stepper->system;
-    const TinkerTableau *tableau = stepper->tableau;
+    const TinkerTableau *tableau = stepper->scheme->tableau;
     int weighted = stage >= tableau->stages || tableau->a[tableau->stages][stage] != 0.0;
     double *power = weighted && system->books > 0 ? stepper->power[stage] : NULL;
     return system->acceleration(system->context, t, q, v, stepper->a[stage], power);
@@ -29,22 +33,22 @@ static TinkerStatus evaluate(RkStepper *stepper, int stage, double t, const doub
 /* Leaves the state of a stage of the step from (t0, q0, v0) in (q, v); of stage `stages`, the state at its end. */
 static void place_stage(RkStepper *stepper, int stage, double h)
 {
-    RkOnto state = {stepper->q0, stepper->v0, stepper->tableau->c[stage] * h, stepper->q, stepper->v};
-    rk_combine(stepper, &stepper->rows[stage], h, &state);
+    RkOnto state = {stepper->q0, stepper->v0, stepper->scheme->tableau->c[stage] * h, stepper->q, stepper->v};
+    rk_combine(stepper, &stepper->scheme->rows[stage], h, &state);
 }
 
 static TinkerStatus place_and_evaluate(RkStepper *stepper, int stage, double h)
 {
     place_stage(stepper, stage, h);
-    double t = fmin(stepper->t0 + stepper->tableau->c[stage] * h, stepper->t1);
-    if (stepper->tableau->c[stage] == 1.0) t = stepper->t1;
+    double t = fmin(stepper->t0 + stepper->scheme->tableau->c[stage] * h, stepper->t1);
+    if (stepper->scheme->tableau->c[stage] == 1.0) t = stepper->t1;
     return evaluate(stepper, stage, t, stepper->q, stepper->v);
 }
 
 /* Stages 1 to the end; *error is not finite where the system asked for a smaller step. */
 static TinkerStatus try_step(RkStepper *stepper, double h, double *error)
 {
-    const TinkerTableau *tableau = stepper->tableau;
+    const TinkerTableau *tableau = stepper->scheme->tableau;
     int last = tinker_tableau_ends_on_evaluation(tableau) ? tableau->stages : tableau->stages - 1;
     for (int stage = 1; stage <= last; stage++) {
         TinkerStatus status = place_and_evaluate(stepper, stage, h);
@@ -57,11 +61,11 @@ static TinkerStatus try_step(RkStepper *stepper, double h, double *error)
 
 /* --- a step --- */
 
-/* Keeps the start and finds its acceleration, and the first step where it is not known. */
-static TinkerStatus begin(RkStepper *stepper, const TinkerState *state, double limit)
+/* Keeps the start and finds its acceleration. */
+static TinkerStatus begin(RkStepper *stepper, const TinkerState *state)
 {
     const TinkerSystem *system = stepper->system;
-    int end = stepper->tableau->stages;
+    int end = stepper->scheme->tableau->stages;
     TinkerStatus status = TINKER_OK;
     if (stepper->done && stepper->end_is_next) {
         double *a = stepper->a[0], *power = stepper->power[0];
@@ -77,11 +81,17 @@ static TinkerStatus begin(RkStepper *stepper, const TinkerState *state, double l
     tinker_copy(system->size, state->v, stepper->v0);
     tinker_copy(system->books, state->books, stepper->books0);
     stepper->t0 = state->t;
-    if (status != TINKER_OK || stepper->control.h > 0.0) return status;
+    return status;
+}
+
+/* Finds the first step where it is not known. */
+static TinkerStatus find_first_step(RkStepper *stepper, const TinkerState *state, double limit)
+{
+    if (stepper->control.h > 0.0) return TINKER_OK;
     stepper->control.h = stepper->first_step;
     if (stepper->first_step > 0.0) return TINKER_OK;
-    return tinker_starting_step(system, stepper->tableau->order, stepper->control.tolerance, state, limit,
-                                stepper->a[0], stepper->q, stepper->v, stepper->error_q, &stepper->control.h);
+    return tinker_starting_step(stepper->system, stepper->scheme->tableau->order, stepper->control.tolerance, state,
+                                limit, stepper->a[0], stepper->q, stepper->v, stepper->error_q, &stepper->control.h);
 }
 
 /* Makes the trial's end the state, projected. */
@@ -99,11 +109,11 @@ static TinkerStatus commit(RkStepper *stepper, TinkerState *state, double h)
         tinker_copy(system->size, stepper->v0, state->v);
         return status;
     }
-    rk_sum_powers(stepper, stepper->tableau->stages, stepper->tableau->a[stepper->tableau->stages], h, stepper->books0,
-                  state->books);
+    rk_sum_powers(stepper, stepper->scheme->tableau->stages,
+                  stepper->scheme->tableau->a[stepper->scheme->tableau->stages], h, stepper->books0, state->books);
     state->t = stepper->t1;
     stepper->done = 1;
-    stepper->end_known = tinker_tableau_ends_on_evaluation(stepper->tableau);
+    stepper->end_known = tinker_tableau_ends_on_evaluation(stepper->scheme->tableau);
     stepper->end_is_next = stepper->end_known && !moved; /* not where dense output finds it: looking saves nothing */
     return TINKER_OK;
 }
@@ -121,9 +131,18 @@ static TinkerStatus fail_system(RkStepper *stepper, TinkerStepReport *report)
     return fail(stepper, report, tinker_failure_of(stepper->system, "the system could not be evaluated"));
 }
 
+static void make_rows(RkScheme *scheme)
+{
+    const TinkerTableau *tableau = scheme->tableau;
+    for (int stage = 0; stage <= tableau->stages + tableau->extra_stages; stage++)
+        scheme->rows[stage] = rk_make_row(tableau, tableau->a[stage]);
+    scheme->error = rk_make_row(tableau, tableau->error);
+    if (tableau->second_error) scheme->second_error = rk_make_row(tableau, tableau->second_error);
+}
+
 static void *allot(RkStepper *stepper)
 {
-    const TinkerTableau *tableau = stepper->tableau;
+    const TinkerTableau *tableau = stepper->scheme->tableau;
     size_t n = (size_t)stepper->system->size, m = (size_t)stepper->system->books;
     double *next = stepper->memory;
     stepper->q0 = tinker_take(&next, n);
@@ -136,10 +155,9 @@ static void *allot(RkStepper *stepper)
     for (int stage = 0; stage <= tableau->stages + tableau->extra_stages; stage++) {
         stepper->a[stage] = tinker_take(&next, n);
         stepper->power[stage] = tinker_take(&next, m);
-        stepper->rows[stage] = rk_make_row(tableau, tableau->a[stage]);
     }
-    stepper->error = rk_make_row(tableau, tableau->error);
-    if (tableau->second_error) stepper->second_error = rk_make_row(tableau, tableau->second_error);
+    make_rows(&stepper->whole);
+    if (stepper->brief.tableau != NULL) make_rows(&stepper->brief);
     return stepper;
 }
 
@@ -151,7 +169,9 @@ void *tinker_explicit_rk_create(const TinkerTableau *tableau, const TinkerSystem
     RkStepper *stepper = g_try_malloc0(sizeof *stepper + doubles * sizeof(double));
     if (!stepper) return NULL;
     stepper->system = system;
-    stepper->tableau = tableau;
+    stepper->whole.tableau = tableau;
+    stepper->brief.tableau = tableau->brief;
+    stepper->scheme = &stepper->whole;
     stepper->first_step = options->first_step > 0.0 ? options->first_step : 0.0;
     tinker_step_control_init(&stepper->control, &tableau->law, options->tolerance);
     return allot(stepper);
@@ -169,6 +189,37 @@ void tinker_explicit_rk_restart(void *data)
     tinker_step_control_forget(&stepper->control);
 }
 
+/* How long a step may be that is tried briefly, from the error of such a trial. A short one does not lower it. */
+static void learn_brief(RkStepper *stepper, double h, double error)
+{
+    const TinkerStepLaw *law = &stepper->brief.tableau->law;
+    double factor = law->greatest_factor;
+    if (error > 0.0) factor = fmin(factor, pow(error / BRIEF_ERROR, -law->exponent));
+    if (!(factor > law->least_factor)) factor = law->least_factor;
+    stepper->brief_h = factor < 1.0 ? factor * h : fmax(stepper->brief_h, factor * h);
+}
+
+/* A step far shorter than the method's own, in one trial, where the error of fewer stages is nothing beside the
+ * tolerance. Else the step is not done. How long steps are is known from the last whole one, whatever has happened to
+ * the motion since then: the error is judged as that of a part of one. */
+static TinkerStatus try_briefly(RkStepper *stepper, TinkerState *state, double limit, TinkerStepReport *report)
+{
+    const double h = limit - state->t, usual = stepper->control.usual;
+    if (stepper->brief.tableau == NULL || !(h <= stepper->brief_h)) return TINKER_OK;
+    double error = INFINITY;
+    stepper->scheme = &stepper->brief;
+    stepper->t1 = limit;
+    stepper->control.usual = fmax(usual, stepper->reach);
+    TinkerStatus status = try_step(stepper, h, &error);
+    stepper->control.usual = usual;
+    learn_brief(stepper, h, error);
+    if (status == TINKER_OK && error <= BRIEF_ERROR) status = commit(stepper, state, h);
+    if (!stepper->done) stepper->scheme = &stepper->whole;
+    report->step = h;
+    report->error = error;
+    return status;
+}
+
 TinkerStatus tinker_explicit_rk_step(void *data, TinkerState *state, double limit, TinkerStepReport *report)
 {
     RkStepper *stepper = data;
@@ -177,9 +228,12 @@ TinkerStatus tinker_explicit_rk_step(void *data, TinkerState *state, double limi
     report->failure = NULL;
     if (!(limit > state->t) || !isfinite(limit))
         return fail(stepper, report, N_("an adaptive step needs a finite limit after the present time"));
-    if (begin(stepper, state, limit) != TINKER_OK) return fail_system(stepper, report);
-
-    TinkerStatus status = TINKER_OK;
+    TinkerStatus status = begin(stepper, state);
+    stepper->scheme = &stepper->whole;
+    if (status == TINKER_OK) status = try_briefly(stepper, state, limit, report);
+    if (stepper->done) return TINKER_OK;
+    if (status != TINKER_FAILED) status = find_first_step(stepper, state, limit);
+    if (status != TINKER_OK) return fail_system(stepper, report);
     for (; report->rejected <= REJECTIONS_CAP; report->rejected++) {
         int lands = 0;
         double error = INFINITY, h = tinker_step_control_trial(&stepper->control, state->t, limit, &lands);
@@ -190,6 +244,8 @@ TinkerStatus tinker_explicit_rk_step(void *data, TinkerState *state, double limi
         if (status == TINKER_FAILED) return fail_system(stepper, report);
         if (stepper->done) {
             tinker_step_control_accept(&stepper->control, h, error, report->rejected > 0);
+            stepper->reach = stepper->control.h;
+            stepper->brief_h = fmax(stepper->brief_h, BRIEF * stepper->reach);
             report->step = h;
             report->error = error;
             return TINKER_OK;
@@ -206,7 +262,7 @@ TinkerStatus tinker_explicit_rk_step(void *data, TinkerState *state, double limi
 
 static TinkerStatus find_dense_stages(RkStepper *stepper, double h)
 {
-    const TinkerTableau *tableau = stepper->tableau;
+    const TinkerTableau *tableau = stepper->scheme->tableau;
     int end = tableau->stages;
     if (!stepper->end_known) {
         TinkerStatus status = place_and_evaluate(stepper, end, h);
@@ -224,7 +280,7 @@ static TinkerStatus find_dense_stages(RkStepper *stepper, double h)
 TinkerStatus tinker_explicit_rk_interpolate(void *data, double t, double *q, double *v, double *books)
 {
     RkStepper *stepper = data;
-    const TinkerTableau *tableau = stepper->tableau;
+    const TinkerTableau *tableau = stepper->scheme->tableau;
     if (!stepper->done) return TINKER_FAILED;
     double h = stepper->t1 - stepper->t0, s = (t - stepper->t0) / h;
     TinkerStatus status = find_dense_stages(stepper, h);

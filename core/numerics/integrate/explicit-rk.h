@@ -25,6 +25,7 @@ typedef struct TinkerTableau {
     const double *error;        /* b minus the weights of the embedded method */
     const double *second_error; /* of a third method of lower order, or NULL: see tinker_tableau_join_errors */
     TinkerStepLaw law;
+    const struct TinkerTableau *brief; /* fewer stages, for steps that are far shorter; NULL: none */
 } TinkerTableau;
 
 /* True where the error weights need the acceleration at the new point. */
@@ -47,5 +48,6 @@ TinkerStatus tinker_explicit_rk_interpolate(void *stepper, double t, double *q, 
 /* The tableaus, for the tests of their order conditions. */
 extern const TinkerTableau tinker_tableau_dopri5;
 extern const TinkerTableau tinker_tableau_dop853;
+extern const TinkerTableau tinker_tableau_kutta;
 
 #endif

@@ -1,6 +1,7 @@
 /* Contacts that follow upon one another, as of a chain that strikes the ground link by link: a step is made for the
  * next one where that is to come soon, and its state is carried the little way that is left to the event, so that
- * hardly any step is made twice. */
+ * hardly any step is made twice. And masses that lie in a row and reach the limit of sticking together: no step is made
+ * from one to the other. */
 #include <float.h>
 #include <math.h>
 
@@ -113,7 +114,7 @@ static G_NO_INLINE void expect_arrival(TinkerContactRun *self)
 {
     const TinkerIslandRun *run = self->run;
     double soonest = TINKER_SOON * self->usual;
-    if (tinker_contact_run_evaluate_start(self) != TINKER_OK) return;
+    if (isnan(self->start.at.t) && tinker_contact_run_evaluate_start(self) != TINKER_OK) return;
     tinker_contact_run_hand_start_on(self);
     if (self->near->len == 0 || self->contacts->moving_plates > 0) return;
     const double closed = tinker_contact_run_closed_gap(self);
@@ -135,7 +136,6 @@ static G_NO_INLINE void expect_arrival(TinkerContactRun *self)
 void tinker_contact_run_expect(TinkerContactRun *self)
 {
     self->expects = FALSE;
-    tinker_contact_run_forget_start(self);
     if (self->passed && self->in_plane && !self->remembers && !isfinite(self->hint) &&
         tinker_method_is_adaptive(self->run->choice.method))
         expect_arrival(self);
@@ -152,4 +152,110 @@ void tinker_contact_run_take_expected(TinkerContactRun *self, TinkerTrigger *fou
     *found = self->hint_trigger;
     *time = run->state.t + left;
     *slope = place.normal_speed;
+}
+
+/* At once ---------------------------------------------------------------------------------------------------------- */
+
+/* Whether it is what friction may be more on a mass that sticks to a top. Where shapes that turn lie on one another
+ * what presses is a share of a load, too, and which of them slip is no more than how it is shared: steps tell. */
+static gboolean is_of_sticking(const TinkerContactRun *self, const TinkerTrigger *trigger)
+{
+    const gboolean limit = trigger->kind == TINKER_TRIGGER_FORWARD || trigger->kind == TINKER_TRIGGER_BACKWARD;
+    return limit && trigger->plate < self->contacts->plate_count;
+}
+
+/* The values of such triggers by the forces worked out last, `stride` apart. */
+static void fill_left(TinkerContactRun *self, double *values, guint stride)
+{
+    tinker_contact_run_note_force_scales(self);
+    for (guint i = 0; i < self->triggers->len; i++) {
+        const TinkerTrigger *trigger = &g_array_index(self->triggers, TinkerTrigger, i);
+        if (is_of_sticking(self, trigger)) values[stride * i] = tinker_trigger_value(self, trigger);
+    }
+}
+
+/* The forces a part of a usual step later, where the present accelerations lead. */
+static TinkerStatus look_ahead(TinkerContactRun *self, double by)
+{
+    const TinkerState *state = &self->run->state;
+    for (int32_t i = 0; i < self->run->system.system.size; i++) {
+        self->node_x[i] = state->q[i] + by * (state->v[i] + 0.5 * by * self->start.force[i]);
+        self->node_u[i] = state->v[i] + by * self->start.force[i];
+    }
+    return tinker_contact_run_look_at(self, state->t + by, self->node_x, self->node_u, NULL);
+}
+
+/* Whether any of them is no more than rounding where the step begins. */
+static gboolean is_any_at_its_end(TinkerContactRun *self)
+{
+    fill_left(self, self->values, 3);
+    for (guint i = 0; i < self->triggers->len; i++) {
+        const TinkerTrigger *trigger = &g_array_index(self->triggers, TinkerTrigger, i);
+        if (is_of_sticking(self, trigger) && self->values[3 * i] <= -tinker_trigger_level(self, trigger, 0))
+            return TRUE;
+    }
+    return FALSE;
+}
+
+/* Whether it is nothing, and less from the start on; *sure is FALSE where a step has to tell. */
+static gboolean falls_now(TinkerContactRun *self, guint number, gboolean *sure)
+{
+    const TinkerTrigger *trigger = &g_array_index(self->triggers, TinkerTrigger, number);
+    const double *values = self->values + 3 * number;
+    if (!is_of_sticking(self, trigger)) return FALSE;
+    const double level = tinker_trigger_level(self, trigger, 0); /* what is nearer to 0 is 0 but for rounding */
+    if (!(values[0] <= -level) || !(values[2] < level)) return FALSE;
+    *sure = values[1] <= values[0];
+    return TRUE;
+}
+
+static gboolean was_asked(const TinkerContactRun *self, const TinkerTrigger *trigger)
+{
+    for (guint i = 0; i < self->asked->len; i++) {
+        const TinkerTrigger *asked = &g_array_index(self->asked, TinkerTrigger, i);
+        if (asked->row < 0 && asked->body == trigger->body && asked->plate == trigger->plate) return TRUE;
+    }
+    return FALSE;
+}
+
+/* The first that does so, unless it or another was asked at this instant already: then it stands at an edge, that a
+ * step has to pass (tinker_contact_run_stays_at_edge). Those that reach the limit of sticking with it are noted. */
+static gboolean find_falling(TinkerContactRun *self, TinkerTrigger *first)
+{
+    gboolean found = FALSE, sure;
+    for (guint i = 0; i < self->triggers->len; i++) {
+        const TinkerTrigger *trigger = &g_array_index(self->triggers, TinkerTrigger, i);
+        if (!falls_now(self, i, &sure)) continue;
+        if ((!found && !sure) || was_asked(self, trigger)) return FALSE;
+        if (!found) *first = *trigger;
+        if (found && sure) g_array_append_val(self->alike, *trigger);
+        found = TRUE;
+    }
+    return found;
+}
+
+gboolean tinker_contact_run_next_at_once(TinkerContactRun *self, TinkerTrigger *next)
+{
+    const TinkerIslandRun *run = self->run;
+    gboolean found = FALSE;
+    const double by = fmin(self->usual, run->piece_end - run->state.t);
+    g_array_append_val(self->asked, *next);
+    g_array_append_vals(self->asked, self->alike->data, self->alike->len);
+    g_array_set_size(self->alike, 0);
+    if (!tinker_method_is_adaptive(run->choice.method) || self->remembers || !(by > 0)) return FALSE;
+    if (self->contacts->closed->len == 0 || self->model->constraints.unilateral != NULL) return FALSE;
+    tinker_contact_run_keep_start(self);
+    if (tinker_contact_run_evaluate_start(self) != TINKER_OK) return FALSE;
+    if (tinker_contact_run_list_triggers(self) != TINKER_OK || !is_any_at_its_end(self)) return FALSE;
+    if (look_ahead(self, TINKER_FALLS_AT_ONCE * by) == TINKER_OK) {
+        fill_left(self, self->values + 1, 3);
+        if (look_ahead(self, self->nodes[1] * by) == TINKER_OK) {
+            fill_left(self, self->values + 2, 3);
+            found = find_falling(self, next);
+        }
+    }
+    if (!found) g_array_set_size(self->alike, 0);
+    tinker_contact_run_recall_start(self, self->start.at.t);
+    tinker_contact_run_forget_start(self);
+    return found;
 }

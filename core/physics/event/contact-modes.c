@@ -29,6 +29,17 @@ static gboolean has_stopped(const TinkerContactChange *change, const TinkerTouch
     return at->slows || tinker_change_is_trigger(change, at);
 }
 
+/* Of a touch that reaches the limit of sticking at the same instant as the one that the event is of. */
+static const TinkerTrigger *reaches_with(const TinkerContactChange *change, const TinkerTouch *at)
+{
+    const GArray *alike = change->run->alike;
+    for (guint i = 0; i < alike->len; i++) {
+        const TinkerTrigger *trigger = &g_array_index(alike, TinkerTrigger, i);
+        if (at->row < 0 && trigger->body == at->contact.body && trigger->plate == at->contact.plate) return trigger;
+    }
+    return NULL;
+}
+
 /* The way it would slip that has reached the limit of sticking: with the event, or before it while others held. 0: it
  * has not. */
 static int8_t limit_of(const TinkerContactChange *change, const TinkerTouch *at)
@@ -37,6 +48,8 @@ static int8_t limit_of(const TinkerContactChange *change, const TinkerTouch *at)
     if (kind != TINKER_TRIGGER_FORWARD && kind != TINKER_TRIGGER_BACKWARD) return 0;
     if (!change->forced || at->struck) return 0;
     if (tinker_change_is_trigger(change, at)) return kind == TINKER_TRIGGER_FORWARD ? -1 : 1;
+    const TinkerTrigger *with = reaches_with(change, at);
+    if (with != NULL) return with->kind == TINKER_TRIGGER_FORWARD ? -1 : 1;
     return is_slow(change, at->place.tangential_speed) ? at->limit : 0;
 }
 

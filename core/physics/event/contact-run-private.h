@@ -52,7 +52,8 @@ typedef struct {
 typedef struct {
     TinkerEvaluated at; /* its time is NAN where that was not done */
     double *force, power[TINKER_BOOK_COUNT];
-    double *loads; /* by closed contact: N, normal and friction */
+    double *loads;  /* by closed contact: N, normal and friction */
+    gint64 changes; /* of the run, up to then */
 } TinkerStepStart;
 
 struct _TinkerContactRun {
@@ -84,6 +85,8 @@ struct _TinkerContactRun {
     double speed_bound;
     gboolean pending; /* the state stands on it */
     TinkerTrigger pending_trigger;
+    GArray *alike; /* of TinkerTrigger: contacts that reach the limit of sticking with the one that is passed */
+    GArray *asked; /* of TinkerTrigger: what was passed at this instant, one behind the other */
 
     /* an endless sequence of events */
     double crowd_began;
@@ -176,6 +179,8 @@ TinkerStatus tinker_contact_run_look_at(TinkerContactRun *contact_run, double t,
 /* Whether the last look was at this time, and what it found still stands: forces of contacts, accelerations, and powers
  * if they were asked for. */
 gboolean tinker_contact_run_has_looked(const TinkerContactRun *contact_run, double t);
+/* Takes the present state for the start of the step. What was evaluated there stands if nothing has changed since. */
+void tinker_contact_run_keep_start(TinkerContactRun *contact_run);
 /* Evaluates the start of the step, as a look at it, and keeps what it finds; forgets that; and hands it to the method,
  * if it is kept: to the next evaluation. */
 TinkerStatus tinker_contact_run_evaluate_start(TinkerContactRun *contact_run);
@@ -264,6 +269,9 @@ TinkerStatus tinker_contact_flight_part(TinkerContactRun *contact_run, const Tin
 
 /* Before a step: where a contact is to close in a small part of a usual step, the hint is just behind that. */
 void tinker_contact_run_expect(TinkerContactRun *contact_run);
+/* Behind an event, which is passed: whether the next is at its very instant, as what bears a load with others reaches
+ * its limit with them, and which. A full step would find the same, and be cut to nothing. */
+gboolean tinker_contact_run_next_at_once(TinkerContactRun *contact_run, TinkerTrigger *next);
 /* That contact, in a step that went there and found nothing, where it comes no more than a little behind its end; else
  * *found is left as it is. */
 void tinker_contact_run_take_expected(TinkerContactRun *contact_run, TinkerTrigger *found, double *time, double *slope);

@@ -41,6 +41,8 @@ static void allot(TinkerContactRun *self)
     self->near = g_array_sized_new(FALSE, FALSE, sizeof(TinkerContactPair), pairs);
     self->leaving = g_array_sized_new(FALSE, FALSE, sizeof(TinkerContactPair), pairs);
     self->struck = g_array_new(FALSE, FALSE, sizeof(int32_t));
+    self->alike = g_array_new(FALSE, FALSE, sizeof(TinkerTrigger));
+    self->asked = g_array_new(FALSE, FALSE, sizeof(TinkerTrigger));
     self->turns = tinker_contact_turns_new();
     self->triggers = g_array_sized_new(FALSE, FALSE, sizeof(TinkerTrigger), 2 * pairs);
     self->falling = g_array_sized_new(FALSE, FALSE, sizeof(guint), 2 * pairs);
@@ -95,6 +97,8 @@ void tinker_contact_run_free(TinkerContactRun *self)
     g_array_unref(self->near);
     g_array_unref(self->leaving);
     g_array_unref(self->struck);
+    g_array_unref(self->alike);
+    g_array_unref(self->asked);
     g_array_unref(self->turns);
     g_array_unref(self->triggers);
     g_array_unref(self->falling);
@@ -260,6 +264,17 @@ gboolean tinker_contact_run_close_blow(TinkerContactRun *self, const double *giv
     return done;
 }
 
+/* The event that the state stands on. */
+static gboolean pass_pending(TinkerContactRun *self, GError **error)
+{
+    if (is_crowded(self))
+        return tinker_island_run_fail_step(self->run,
+                                           _("contacts open and close without end there (a little friction, or a "
+                                             "restitution below 1, ends such a sequence)"),
+                                           error);
+    return enter_plane(self, error) && pass_trigger(self, &self->pending_trigger, error);
+}
+
 gboolean tinker_contact_run_pass(TinkerContactRun *self, GError **error)
 {
     TinkerIslandRun *run = self->run;
@@ -268,12 +283,11 @@ gboolean tinker_contact_run_pass(TinkerContactRun *self, GError **error)
     self->passed_impact = self->last_impact;
     self->passed = TRUE;
     self->quiet = 0;
-    if (is_crowded(self))
-        return tinker_island_run_fail_step(run,
-                                           _("contacts open and close without end there (a little friction, or a "
-                                             "restitution below 1, ends such a sequence)"),
-                                           error);
-    if (!enter_plane(self, error) || !pass_trigger(self, &self->pending_trigger, error)) return FALSE;
+    g_array_set_size(self->asked, 0);
+    do
+        if (!pass_pending(self, error)) return FALSE;
+    while (tinker_contact_run_next_at_once(self, &self->pending_trigger));
+    g_array_set_size(self->alike, 0);
     tinker_method_restart(run->choice.method, run->stepper);
     return TRUE;
 }
@@ -343,14 +357,6 @@ static double travel_at(double speed, double step)
     return 0.75 * speed * step;
 }
 
-static void keep_start(TinkerContactRun *self, const TinkerState *state)
-{
-    gsize bytes = (gsize)self->run->system.system.size * sizeof(double);
-    memcpy(self->from.q, state->q, bytes);
-    memcpy(self->from.v, state->v, bytes);
-    memcpy(self->from.books, state->books, (gsize)self->run->system.system.books * sizeof(double));
-}
-
 TinkerStatus tinker_contact_run_begin(TinkerContactRun *self, double *limit)
 {
     const TinkerIslandRun *run = self->run;
@@ -370,7 +376,10 @@ TinkerStatus tinker_contact_run_begin(TinkerContactRun *self, double *limit)
         if (tinker_contact_run_is_quiet(self, run->state.q, travel_at(speed, self->limit - run->state.t)))
             self->speed_bound = speed;
     }
-    if (!(self->speed_bound > 0)) keep_start(self, &run->state);
+    if (self->speed_bound > 0)
+        tinker_contact_run_forget_start(self);
+    else
+        tinker_contact_run_keep_start(self);
     tinker_contact_run_expect(self);
     self->passed = FALSE;
     self->carried = FALSE;

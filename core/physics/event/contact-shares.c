@@ -90,19 +90,35 @@ static void share_evenly(TinkerContactChange *change, const TinkerContact *kept)
 }
 
 /* Corners of one pair that stick on one line hold together, each by what presses on it: only the sum of their friction
- * is determined, and all of them reach their limit at once. */
+ * is determined, and all of them reach their limit at once. Closed contacts are in the order of their bodies. */
 static void share_by_load(TinkerContactChange *change, const TinkerContact *kept)
 {
     TinkerContacts *contacts = change->contacts;
+    guint first = 0; /* of the body */
     for (guint i = 0; i < contacts->closed->len; i++) {
         double normal = 0, friction = 0;
-        for (guint k = 0; k < contacts->closed->len; k++) {
+        if (kept[i].body != kept[first].body) first = i;
+        for (guint k = first; k < contacts->closed->len && kept[k].body == kept[i].body; k++) {
             if (!tinker_contacts_stick_together(contacts, &kept[i], &kept[k])) continue;
             normal += kept[k].base_normal;
             friction += kept[k].base_friction;
         }
         if (normal > 0) tinker_contacts_closed(contacts, i)->base_friction = friction * kept[i].base_normal / normal;
     }
+}
+
+/* Whether any two corners hold together, so that shares by load differ from others. */
+static gboolean is_any_together(const TinkerContactChange *change)
+{
+    const TinkerContacts *contacts = change->contacts;
+    guint first = 0; /* of the body */
+    for (guint i = 0; i < contacts->closed->len; i++) {
+        const TinkerContact *contact = tinker_contacts_closed(contacts, i);
+        if (contact->body != tinker_contacts_closed(contacts, first)->body) first = i;
+        for (guint k = first; k < i; k++)
+            if (tinker_contacts_stick_together(contacts, contact, tinker_contacts_closed(contacts, k))) return TRUE;
+    }
+    return FALSE;
 }
 
 /* The share of least norm between bodies; corners that hold together by what presses on each, as friction that all bear
@@ -138,6 +154,7 @@ static gboolean try_share(TinkerContactChange *change, void (*share)(TinkerConta
     if (keeps && parts_as_said(change)) return TRUE;
     memcpy(contacts->closed->data, kept, contacts->closed->len * sizeof(TinkerContact));
     tinker_contacts_take_shares(contacts);
+    change->run->looked_time = NAN; /* those forces are of another share */
     return FALSE;
 }
 
@@ -302,9 +319,10 @@ static gboolean share_where_it_turns(TinkerContactChange *change)
 
 gboolean tinker_change_share_load(TinkerContactChange *change)
 {
-    if (try_share(change, share_evenly) || try_share(change, share_evenly_by_load)) return TRUE;
+    const gboolean by_load = is_any_together(change);
+    if (try_share(change, share_evenly) || (by_load && try_share(change, share_evenly_by_load))) return TRUE;
     if ((change->turns || tinker_change_repeats(change)) && share_within(change)) return TRUE;
     if (change->turns && change->trigger.row < 0 && share_where_it_turns(change)) return TRUE;
-    try_share(change, share_by_load);
+    if (by_load) try_share(change, share_by_load);
     return FALSE;
 }

@@ -9,6 +9,20 @@
 #include "physics/model/model-data.h"
 #include "physics/system/system.h"
 
+void tinker_contact_run_keep_start(TinkerContactRun *self)
+{
+    const TinkerState *state = &self->run->state;
+    const gsize bytes = (gsize)self->run->system.system.size * sizeof(double);
+    const gboolean stands = self->start.at.t == state->t && self->start.changes == self->changes &&
+                            memcmp(self->from.q, state->q, bytes) == 0 && memcmp(self->from.v, state->v, bytes) == 0;
+    memcpy(self->from.books, state->books, (gsize)self->run->system.system.books * sizeof(double));
+    if (stands) return;
+    tinker_contact_run_forget_start(self);
+    self->from.t = state->t;
+    memcpy(self->from.q, state->q, bytes);
+    memcpy(self->from.v, state->v, bytes);
+}
+
 void tinker_contact_run_forget_start(TinkerContactRun *self)
 {
     self->start.at.t = NAN;
@@ -29,6 +43,7 @@ TinkerStatus tinker_contact_run_evaluate_start(TinkerContactRun *self)
         start->loads[2 * i] = contact->normal;
         start->loads[2 * i + 1] = contact->friction;
     }
+    start->changes = self->changes;
     start->at = (TinkerEvaluated){from->t, from->q, from->v, start->force, start->power};
     return TINKER_OK;
 }
