@@ -10,8 +10,6 @@
 #include "physics/compile/compile.h"
 #include "scene/read/scene-json.h"
 
-#define SAMPLES 1000
-
 typedef struct {
     const Crowd *crowd;
     CrowdRun *run;
@@ -169,7 +167,7 @@ static gboolean run_scene(TinkerScene *scene, Watch *watch, double tolerance, GE
     TinkerRunOptions options = tinker_run_options_of(scene);
     options.tolerance = tolerance;
     options.duration = crowd->duration;
-    options.interval = crowd->duration / SAMPLES;
+    options.interval = crowd->duration / CROWD_SAMPLES;
     options.estimate = watch->claims;
     options.cancelled = is_late;
     options.data = watch;

@@ -8,6 +8,7 @@
 
 /* x, y, angle, vx, vy, rate of each body */
 #define CROWD_COLUMNS 6
+#define CROWD_SAMPLES 1000 /* of a run, behind its start */
 
 typedef struct {
     GArray *rows;           /* of double: CROWD_COLUMNS a body, sample by sample */

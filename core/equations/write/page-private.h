@@ -22,7 +22,7 @@ void tinker_page_heading(TinkerPage *page, const char *heading);
 /* left = right, and what it is; all are taken over. `comment` is plain text, and may be NULL. */
 void tinker_page_equation(TinkerPage *page, char *left, char *right, char *comment);
 
-/* left = right, of which the summands may stand in several lines; `left` is taken over. */
+/* left = right, of which the summands may stand in several lines; `left` and `comment` are taken over. */
 void tinker_page_equals(TinkerPage *page, char *left, const TinkerExpression *right, char *comment);
 
 /* sum = 0; as lines, which break on the right alone, 0 = sum. */

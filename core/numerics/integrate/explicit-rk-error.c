@@ -3,6 +3,7 @@
 #include "numerics/solve/largest.h"
 
 #include <glib.h>
+#include <math.h>
 
 #include "numerics/integrate/books-error.h"
 #include "numerics/integrate/stepping.h"
@@ -25,8 +26,10 @@ static double measure(RkStepper *stepper, const RkRow *row, double h, TinkerErro
 
 static double measure_all(RkStepper *stepper, double h, TinkerErrorScale scale, gboolean tangent)
 {
+    const TinkerTableau *tableau = stepper->scheme->tableau;
     double error = measure(stepper, &stepper->scheme->error, h, scale, tangent);
-    if (!stepper->scheme->tableau->second_error) return error;
+    if (tableau->dense_error) error = fmax(error, measure(stepper, &stepper->scheme->dense_error, h, scale, tangent));
+    if (!tableau->second_error) return error;
     return tinker_tableau_join_errors(error, measure(stepper, &stepper->scheme->second_error, h, scale, tangent));
 }
 

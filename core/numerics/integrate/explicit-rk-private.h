@@ -18,7 +18,7 @@ typedef struct RkRow {
 typedef struct RkScheme {
     const TinkerTableau *tableau;
     RkRow rows[TINKER_RK_STAGES_CAP];
-    RkRow error, second_error;
+    RkRow error, second_error, dense_error;
 } RkScheme;
 
 typedef struct RkStepper {

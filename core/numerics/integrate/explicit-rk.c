@@ -138,6 +138,7 @@ static void make_rows(RkScheme *scheme)
         scheme->rows[stage] = rk_make_row(tableau, tableau->a[stage]);
     scheme->error = rk_make_row(tableau, tableau->error);
     if (tableau->second_error) scheme->second_error = rk_make_row(tableau, tableau->second_error);
+    if (tableau->dense_error) scheme->dense_error = rk_make_row(tableau, tableau->dense_error);
 }
 
 static void *allot(RkStepper *stepper)
@@ -156,6 +157,7 @@ static void *allot(RkStepper *stepper)
         stepper->a[stage] = tinker_take(&next, n);
         stepper->power[stage] = tinker_take(&next, m);
     }
+    g_assert(stepper->brief.tableau == NULL || stepper->brief.tableau->stages <= tableau->stages);
     make_rows(&stepper->whole);
     if (stepper->brief.tableau != NULL) make_rows(&stepper->brief);
     return stepper;
@@ -194,6 +196,7 @@ static void learn_brief(RkStepper *stepper, double h, double error)
 {
     const TinkerStepLaw *law = &stepper->brief.tableau->law;
     double factor = law->greatest_factor;
+    if (isnan(error)) factor = law->least_factor;
     if (error > 0.0) factor = fmin(factor, pow(error / BRIEF_ERROR, -law->exponent));
     if (!(factor > law->least_factor)) factor = law->least_factor;
     stepper->brief_h = factor < 1.0 ? factor * h : fmax(stepper->brief_h, factor * h);
@@ -228,9 +231,9 @@ TinkerStatus tinker_explicit_rk_step(void *data, TinkerState *state, double limi
     report->failure = NULL;
     if (!(limit > state->t) || !isfinite(limit))
         return fail(stepper, report, N_("an adaptive step needs a finite limit after the present time"));
-    TinkerStatus status = begin(stepper, state);
+    if (begin(stepper, state) != TINKER_OK) return fail_system(stepper, report);
     stepper->scheme = &stepper->whole;
-    if (status == TINKER_OK) status = try_briefly(stepper, state, limit, report);
+    TinkerStatus status = try_briefly(stepper, state, limit, report);
     if (stepper->done) return TINKER_OK;
     if (status != TINKER_FAILED) status = find_first_step(stepper, state, limit);
     if (status != TINKER_OK) return fail_system(stepper, report);

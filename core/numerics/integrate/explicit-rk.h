@@ -24,6 +24,7 @@ typedef struct TinkerTableau {
     const double (*d)[TINKER_RK_STAGES_CAP];
     const double *error;        /* b minus the weights of the embedded method */
     const double *second_error; /* of a third method of lower order, or NULL: see tinker_tableau_join_errors */
+    const double *dense_error;  /* at least what dense output is off by, where `error` can be blind to it; or NULL */
     TinkerStepLaw law;
     const struct TinkerTableau *brief; /* fewer stages, for steps that are far shorter; NULL: none */
 } TinkerTableau;

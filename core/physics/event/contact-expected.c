@@ -156,8 +156,9 @@ void tinker_contact_run_take_expected(TinkerContactRun *self, TinkerTrigger *fou
 
 /* At once ---------------------------------------------------------------------------------------------------------- */
 
-/* Whether it is what friction may be more on a mass that sticks to a top. Where shapes that turn lie on one another
- * what presses is a share of a load, too, and which of them slip is no more than how it is shared: steps tell. */
+/* Whether the trigger is of a mass on a top that reaches the limit of sticking. Where shapes that turn lie on one
+ * another what presses is a share of a load, too, and which of them slip is no more than how it is shared: steps tell.
+ */
 static gboolean is_of_sticking(const TinkerContactRun *self, const TinkerTrigger *trigger)
 {
     const gboolean limit = trigger->kind == TINKER_TRIGGER_FORWARD || trigger->kind == TINKER_TRIGGER_BACKWARD;
@@ -228,7 +229,8 @@ static gboolean find_falling(TinkerContactRun *self, TinkerTrigger *first)
         if (!falls_now(self, i, &sure)) continue;
         if ((!found && !sure) || was_asked(self, trigger)) return FALSE;
         if (!found) *first = *trigger;
-        if (found && sure) g_array_append_val(self->alike, *trigger);
+        if (found && sure && self->together[trigger->body] == self->together[first->body])
+            g_array_append_val(self->alike, *trigger);
         found = TRUE;
     }
     return found;

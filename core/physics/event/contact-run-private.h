@@ -269,8 +269,9 @@ TinkerStatus tinker_contact_flight_part(TinkerContactRun *contact_run, const Tin
 
 /* Before a step: where a contact is to close in a small part of a usual step, the hint is just behind that. */
 void tinker_contact_run_expect(TinkerContactRun *contact_run);
-/* Behind an event, which is passed: whether the next is at its very instant, as what bears a load with others reaches
- * its limit with them, and which. A full step would find the same, and be cut to nothing. */
+/* Behind an event, which was passed and stands in *next: whether another one is at its very instant, as what bears a
+ * load with others reaches its limit with them; it is in *next then, which else means nothing any more. A full step
+ * would find the same, and be cut to nothing. */
 gboolean tinker_contact_run_next_at_once(TinkerContactRun *contact_run, TinkerTrigger *next);
 /* That contact, in a step that went there and found nothing, where it comes no more than a little behind its end; else
  * *found is left as it is. */
