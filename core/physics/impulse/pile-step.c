@@ -88,7 +88,8 @@ static void take_velocities(const TinkerImpulses *self, TinkerState *state)
 }
 
 /* Twice the mean of a speed at a point, from the start of the step to its end. */
-static double passes_by(const TinkerPile *pile, const TinkerPileTouch *touch, const double arm[2], double x, double y)
+static inline double passes_by(const TinkerPile *pile, const TinkerPileTouch *touch, const double arm[2], double x,
+                               double y)
 {
     const int32_t first = touch->body[0], second = touch->body[1];
     return tinker_pile_row(x, y, arm, pile->before + 3 * first, pile->before + 3 * second) +

@@ -40,6 +40,12 @@ void tinker_place_shape(TinkerPlacedShape *shape, double x, double y, double cos
     }
 }
 
+/* Round the corners of a shape; a remainder would take longer than all else that is done for one. */
+static int32_t behind(int32_t corner, const TinkerPlacedShape *shape)
+{
+    return corner + 1 < shape->count ? corner + 1 : 0;
+}
+
 /* Edges that may be seats: of a top its one. */
 static int32_t edges_of(const TinkerPlacedShape *shape)
 {
@@ -50,21 +56,23 @@ static int32_t edges_of(const TinkerPlacedShape *shape)
  * face it: it has no underside. */
 static double farthest_edge(const TinkerPlacedShape *seats, const TinkerPlacedShape *tips, int32_t *edge)
 {
+    const int32_t edges = edges_of(seats), count = tips->count;
+    const double *const corners = tips->corners;
     double best = -INFINITY;
-    *edge = -1;
-    for (int32_t i = 0; i < edges_of(seats); i++) {
+    int32_t found = -1;
+    for (int32_t i = 0; i < edges; i++) {
         const double *n = seats->normals + 2 * i, base = dot(n, seats->corners + 2 * i);
         if (tips->kind == TINKER_OUTLINE_TOP && !(dot(n, tips->normals) < -TINKER_UPRIGHT)) continue;
         double least = INFINITY;
-        for (int32_t k = 0; k < tips->count; k++) {
-            const double out = dot(n, tips->corners + 2 * k);
+        for (int32_t k = 0; k < count; k++) {
+            const double out = dot(n, corners + 2 * k);
             least = out < least ? out : least;
         }
-        if (least - base > best) {
-            best = least - base;
-            *edge = i;
-        }
+        if (!(least - base > best)) continue;
+        best = least - base;
+        found = i;
     }
+    *edge = found;
     return best;
 }
 
@@ -73,7 +81,8 @@ static int32_t facing_edge(const TinkerPlacedShape *shape, const double n[2])
 {
     int32_t facing = 0;
     double most = INFINITY;
-    for (int32_t i = 0; i < edges_of(shape); i++) {
+    const int32_t edges = edges_of(shape);
+    for (int32_t i = 0; i < edges; i++) {
         const double turned = dot(n, shape->normals + 2 * i);
         if (turned < most) {
             most = turned;
@@ -87,6 +96,14 @@ typedef struct {
     double along, gap;
     int32_t corner;
 } End;
+
+/* A corner as seen from an edge that begins at `base` along t. */
+static End end_at(const TinkerPlacedShape *shape, int32_t corner, const double base[2], const double t[2],
+                  const double n[2], int32_t first)
+{
+    const double off[2] = {shape->corners[2 * corner] - base[0], shape->corners[2 * corner + 1] - base[1]};
+    return (End){dot(t, off), dot(n, off), first + corner};
+}
 
 /* One end of the facing edge, cut off where the seat ends: `limit` along t, `seat_corner` there. */
 static void cut(End *end, const End *other, double limit, double sign, int32_t seat_corner)
@@ -112,19 +129,16 @@ static void add_point(TinkerManifold *manifold, const double n[2], const double 
 static void clip(const TinkerPlacedShape *seats, int32_t seat, int32_t seat_base, const TinkerPlacedShape *tips,
                  int32_t tip_base, double reach, TinkerManifold *manifold)
 {
-    const int32_t next = (seat + 1) % seats->count, facing = facing_edge(tips, seats->normals + 2 * seat);
+    const int32_t next = behind(seat, seats);
+    const int32_t facing = facing_edge(tips, seats->normals + 2 * seat);
     const double *n = seats->normals + 2 * seat, *base = seats->corners + 2 * seat, t[2] = {n[1], -n[0]};
     const double *far = seats->corners + 2 * next, way[2] = {far[0] - base[0], far[1] - base[1]};
     const double length = dot(t, way), low = fmin(0, length), high = fmax(0, length);
     const int32_t at_low = seat_base + (length < 0 ? next : seat), at_high = seat_base + (length < 0 ? seat : next);
-    End ends[2];
-    for (int32_t k = 0; k < 2; k++) {
-        const int32_t corner = (facing + k) % tips->count;
-        const double off[2] = {tips->corners[2 * corner] - base[0], tips->corners[2 * corner + 1] - base[1]};
-        ends[k] = (End){dot(t, off), dot(n, off), tip_base + corner};
-    }
-    const int32_t left = ends[1].along < ends[0].along;
-    End first = ends[left], last = ends[1 - left];
+    const End one = end_at(tips, facing, base, t, n, tip_base),
+              other = end_at(tips, behind(facing, tips), base, t, n, tip_base);
+    const gboolean left = other.along < one.along;
+    End first = left ? other : one, last = left ? one : other;
     if (last.along < low || first.along > high) return;
     const End whole[2] = {first, last};
     cut(&first, &whole[1], low, -1, at_low);
@@ -217,7 +231,7 @@ static void find_disc(const TinkerPlacedShape *disc, const TinkerPlacedShape *ot
     }
     manifold->separation = out - disc->radius;
     if (manifold->separation > reach) return;
-    const int32_t next = (edge + 1) % other->count;
+    const int32_t next = behind(edge, other);
     const double *n = other->normals + 2 * edge, *from = other->corners + 2 * edge, *to = other->corners + 2 * next;
     const double way[2] = {to[0] - from[0], to[1] - from[1]};
     const double off[2] = {disc->place[0] - from[0], disc->place[1] - from[1]};
