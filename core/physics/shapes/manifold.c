@@ -41,7 +41,7 @@ void tinker_place_shape(TinkerPlacedShape *shape, double x, double y, double cos
 }
 
 /* Round the corners of a shape; a remainder would take longer than all else that is done for one. */
-static int32_t behind(int32_t corner, const TinkerPlacedShape *shape)
+static int32_t next_corner(int32_t corner, const TinkerPlacedShape *shape)
 {
     return corner + 1 < shape->count ? corner + 1 : 0;
 }
@@ -129,14 +129,14 @@ static void add_point(TinkerManifold *manifold, const double n[2], const double 
 static void clip(const TinkerPlacedShape *seats, int32_t seat, int32_t seat_base, const TinkerPlacedShape *tips,
                  int32_t tip_base, double reach, TinkerManifold *manifold)
 {
-    const int32_t next = behind(seat, seats);
+    const int32_t next = next_corner(seat, seats);
     const int32_t facing = facing_edge(tips, seats->normals + 2 * seat);
     const double *n = seats->normals + 2 * seat, *base = seats->corners + 2 * seat, t[2] = {n[1], -n[0]};
     const double *far = seats->corners + 2 * next, way[2] = {far[0] - base[0], far[1] - base[1]};
     const double length = dot(t, way), low = fmin(0, length), high = fmax(0, length);
     const int32_t at_low = seat_base + (length < 0 ? next : seat), at_high = seat_base + (length < 0 ? seat : next);
     const End one = end_at(tips, facing, base, t, n, tip_base),
-              other = end_at(tips, behind(facing, tips), base, t, n, tip_base);
+              other = end_at(tips, next_corner(facing, tips), base, t, n, tip_base);
     const gboolean left = other.along < one.along;
     End first = left ? other : one, last = left ? one : other;
     if (last.along < low || first.along > high) return;
@@ -231,7 +231,7 @@ static void find_disc(const TinkerPlacedShape *disc, const TinkerPlacedShape *ot
     }
     manifold->separation = out - disc->radius;
     if (manifold->separation > reach) return;
-    const int32_t next = behind(edge, other);
+    const int32_t next = next_corner(edge, other);
     const double *n = other->normals + 2 * edge, *from = other->corners + 2 * edge, *to = other->corners + 2 * next;
     const double way[2] = {to[0] - from[0], to[1] - from[1]};
     const double off[2] = {disc->place[0] - from[0], disc->place[1] - from[1]};
