@@ -146,9 +146,7 @@ static gboolean compile(TinkerModel *model, GError **error)
     tell_idle_turns(model);
     if (model->contacts == NULL) return TRUE;
     tinker_model_set_state(model, model->q_start, model->v_start);
-    g_autoptr(GPtrArray) overlaps = g_ptr_array_new_with_free_func(g_free);
-    tinker_contacts_tell_overlaps(model->contacts, overlaps);
-    tinker_warnings_add_texts(model->warnings, TINKER_WARNING_SCENE, overlaps);
+    tinker_contacts_tell_overlaps(model->contacts, model->warnings);
     return TRUE;
 }
 

@@ -246,7 +246,7 @@ double tinker_contact_times(const TinkerContactEntries *entries, int which, cons
 gboolean tinker_contact_gap_is_over(const TinkerContacts *contacts, int32_t number, double tolerance);
 /* What is to be told where so many bodies could meet that they do not, by events; NULL: nothing. (transfer full) */
 char *tinker_contacts_unmet(const TinkerModel *model);
-/* Adds a warning (of char *) for pairs that overlap, for the state in the model's points: they pass at first. */
+/* Adds warnings (TinkerWarning *) of pairs that overlap, for the state in the model's points: they pass at first. */
 void tinker_contacts_tell_overlaps(TinkerContacts *contacts, GPtrArray *warnings);
 /* The same of one pair, which counts as told where it overlaps; and how many of these were too many to tell of. */
 void tinker_contacts_tell_overlap(const TinkerContacts *contacts, const int32_t point[2], double overlap, guint *told,

@@ -37,8 +37,8 @@ double tinker_impulse_last_impact(const void *stepper);
 /* Of a stepper of it: speeds (m/s) up to here are what sweeps along a pile leave of those that contacts take. */
 double tinker_impulse_speed_noise(const void *stepper);
 
-/* Adds a warning (of char *) for bodies that overlap each other at the start, where there are too many for the contacts
- * to have told of them. */
+/* Adds warnings (TinkerWarning *) of bodies that overlap each other at the start, where there are too many for the
+ * contacts to have told of them. */
 void tinker_impulse_tell_overlaps(const TinkerContacts *contacts, GPtrArray *warnings);
 
 /* Adds what contacts did to bodies in the last step to accelerations without contact (2 per body). */

@@ -14,12 +14,17 @@ GPtrArray *tinker_warnings_new(void)
     return g_ptr_array_new_with_free_func(warning_free);
 }
 
+/* A warning of this text, which it takes, and of a copy of `brief`. */
+static TinkerWarning *warning_new(TinkerWarningKind kind, char *text, const char *brief, double number)
+{
+    TinkerWarning *warning = g_new(TinkerWarning, 1);
+    *warning = (TinkerWarning){.kind = kind, .text = text, .brief = g_strdup(brief), .number = number};
+    return warning;
+}
+
 TinkerWarning *tinker_warning_new(TinkerWarningKind kind, char *text)
 {
-    TinkerWarning *warning = g_new0(TinkerWarning, 1);
-    warning->kind = kind;
-    warning->text = text;
-    return warning;
+    return warning_new(kind, text, NULL, 0);
 }
 
 void tinker_warnings_add(GPtrArray *warnings, TinkerWarningKind kind, char *text)
@@ -30,27 +35,15 @@ void tinker_warnings_add(GPtrArray *warnings, TinkerWarningKind kind, char *text
 void tinker_warnings_add_with_help(GPtrArray *warnings, TinkerWarningKind kind, const char *brief, const char *help,
                                    double number)
 {
-    TinkerWarning *warning = tinker_warning_new(kind, g_strdup_printf("%s (%s)", brief, help));
-    warning->brief = g_strdup(brief);
-    warning->number = number;
-    g_ptr_array_add(warnings, warning);
+    g_ptr_array_add(warnings, warning_new(kind, g_strdup_printf("%s (%s)", brief, help), brief, number));
 }
 
 void tinker_warnings_add_copies(GPtrArray *warnings, const GPtrArray *others)
 {
     for (guint i = 0; i < others->len; i++) {
         const TinkerWarning *other = g_ptr_array_index(others, i);
-        TinkerWarning *warning = tinker_warning_new(other->kind, g_strdup(other->text));
-        warning->brief = g_strdup(other->brief);
-        warning->number = other->number;
-        g_ptr_array_add(warnings, warning);
+        g_ptr_array_add(warnings, warning_new(other->kind, g_strdup(other->text), other->brief, other->number));
     }
-}
-
-void tinker_warnings_add_texts(GPtrArray *warnings, TinkerWarningKind kind, const GPtrArray *texts)
-{
-    for (guint i = 0; i < texts->len; i++)
-        tinker_warnings_add(warnings, kind, g_strdup(g_ptr_array_index(texts, i)));
 }
 
 const char *tinker_warnings_text(const GPtrArray *warnings, guint i)

@@ -35,9 +35,6 @@ void tinker_warnings_add_with_help(GPtrArray *warnings, TinkerWarningKind kind, 
 /* Adds copies of other warnings. */
 void tinker_warnings_add_copies(GPtrArray *warnings, const GPtrArray *others);
 
-/* Adds a warning of this kind for each of these texts (of char *). */
-void tinker_warnings_add_texts(GPtrArray *warnings, TinkerWarningKind kind, const GPtrArray *texts);
-
 /* The sentence of one of them. (transfer none) */
 const char *tinker_warnings_text(const GPtrArray *warnings, guint i);
 

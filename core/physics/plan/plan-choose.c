@@ -183,13 +183,6 @@ static gboolean refuse_not_linear(const TinkerIsland *island, const TinkerIntegr
     return FALSE;
 }
 
-static void warn_of_overlaps(const TinkerContacts *contacts, GPtrArray *warnings)
-{
-    g_autoptr(GPtrArray) overlaps = g_ptr_array_new_with_free_func(g_free);
-    tinker_impulse_tell_overlaps(contacts, overlaps);
-    tinker_warnings_add_texts(warnings, TINKER_WARNING_SCENE, overlaps);
-}
-
 gboolean tinker_decide(const TinkerIsland *island, const TinkerRunOptions *options, const TinkerSpectrum *spectrum,
                        TinkerDecision *decision, GPtrArray *warnings, GError **error)
 {
@@ -199,7 +192,7 @@ gboolean tinker_decide(const TinkerIsland *island, const TinkerRunOptions *optio
     const TinkerIntegrator *method = &tinker_integrator_impulse;
     if (options->impulses && !tinker_plan_check_impulses(island, error)) return FALSE;
     if (!impulses) method = tinker_run_method(island->model->scene, options->method, error);
-    if (impulses && warnings != NULL) warn_of_overlaps(contacts, warnings);
+    if (impulses && warnings != NULL) tinker_impulse_tell_overlaps(contacts, warnings);
     if (method == NULL || !tinker_run_options_check(options, method, tinker_options_duration(options), error))
         return FALSE;
     if (!automatic && (method->flags & TINKER_INTEGRATOR_LINEAR) && island->linear == NULL)
