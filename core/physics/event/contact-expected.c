@@ -165,7 +165,7 @@ static gboolean is_of_sticking(const TinkerContactRun *self, const TinkerTrigger
     return limit && trigger->plate < self->contacts->plate_count;
 }
 
-/* The values of such triggers by the forces worked out last, `stride` apart. */
+/* The values of the triggers of sticking (is_of_sticking) by the forces worked out last, `stride` apart. */
 static void fill_left(TinkerContactRun *self, double *values, guint stride)
 {
     tinker_contact_run_note_force_scales(self);
@@ -186,7 +186,7 @@ static TinkerStatus look_ahead(TinkerContactRun *self, double by)
     return tinker_contact_run_look_at(self, state->t + by, self->node_x, self->node_u, NULL);
 }
 
-/* Whether any of them is no more than rounding where the step begins. */
+/* Whether any of the triggers of sticking is no more than rounding where the step begins. */
 static gboolean is_any_at_its_end(TinkerContactRun *self)
 {
     fill_left(self, self->values, 3);
@@ -210,15 +210,6 @@ static gboolean falls_now(TinkerContactRun *self, guint number, gboolean *sure)
     return TRUE;
 }
 
-static gboolean was_asked(const TinkerContactRun *self, const TinkerTrigger *trigger)
-{
-    for (guint i = 0; i < self->asked->len; i++) {
-        const TinkerTrigger *asked = &g_array_index(self->asked, TinkerTrigger, i);
-        if (asked->row < 0 && asked->body == trigger->body && asked->plate == trigger->plate) return TRUE;
-    }
-    return FALSE;
-}
-
 /* The first that does so, unless it or another was asked at this instant already: then it stands at an edge, that a
  * step has to pass (tinker_contact_run_stays_at_edge). Those that reach the limit of sticking with it are noted. */
 static gboolean find_falling(TinkerContactRun *self, TinkerTrigger *first)
@@ -227,7 +218,8 @@ static gboolean find_falling(TinkerContactRun *self, TinkerTrigger *first)
     for (guint i = 0; i < self->triggers->len; i++) {
         const TinkerTrigger *trigger = &g_array_index(self->triggers, TinkerTrigger, i);
         if (!falls_now(self, i, &sure)) continue;
-        if ((!found && !sure) || was_asked(self, trigger)) return FALSE;
+        if (!found && !sure) return FALSE;
+        if (tinker_trigger_of_contact(self->asked, trigger->body, trigger->plate) != NULL) return FALSE;
         if (!found) *first = *trigger;
         if (found && sure && self->together[trigger->body] == self->together[first->body])
             g_array_append_val(self->alike, *trigger);

@@ -32,12 +32,8 @@ static gboolean has_stopped(const TinkerContactChange *change, const TinkerTouch
 /* Of a touch that reaches the limit of sticking at the same instant as the one that the event is of. */
 static const TinkerTrigger *reaches_with(const TinkerContactChange *change, const TinkerTouch *at)
 {
-    const GArray *alike = change->run->alike;
-    for (guint i = 0; i < alike->len; i++) {
-        const TinkerTrigger *trigger = &g_array_index(alike, TinkerTrigger, i);
-        if (at->row < 0 && trigger->body == at->contact.body && trigger->plate == at->contact.plate) return trigger;
-    }
-    return NULL;
+    if (at->row >= 0) return NULL;
+    return tinker_trigger_of_contact(change->run->alike, at->contact.body, at->contact.plate);
 }
 
 /* The way it would slip that has reached the limit of sticking: with the event, or before it while others held. 0: it

@@ -189,6 +189,8 @@ void tinker_contact_run_hand_start_on(TinkerContactRun *contact_run);
 /* Puts what triggers ask for back as if the start had been looked at last, but for the state of the model. FALSE where
  * this is not the time of a start that is kept. */
 gboolean tinker_contact_run_recall_start(TinkerContactRun *contact_run, double t);
+/* The first of these triggers (of TinkerTrigger) that is of this contact, or NULL. (transfer none) */
+const TinkerTrigger *tinker_trigger_of_contact(const GArray *triggers, int32_t body, int32_t plate);
 /* All triggers of a step with these near pairs. */
 TinkerStatus tinker_contact_run_list_triggers(TinkerContactRun *contact_run);
 /* Their values, for the state looked at last; and the level below which one has passed 0, once forces were noted at all

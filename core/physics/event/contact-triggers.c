@@ -158,6 +158,15 @@ TinkerStatus tinker_contact_run_value(TinkerContactRun *self, double t, const do
 
 /* What is watched -------------------------------------------------------------------------------------------------- */
 
+const TinkerTrigger *tinker_trigger_of_contact(const GArray *triggers, int32_t body, int32_t plate)
+{
+    for (guint i = 0; i < triggers->len; i++) {
+        const TinkerTrigger *trigger = &g_array_index(triggers, TinkerTrigger, i);
+        if (trigger->row < 0 && trigger->body == body && trigger->plate == plate) return trigger;
+    }
+    return NULL;
+}
+
 static void add_trigger(TinkerContactRun *self, TinkerTriggerKind kind, int32_t body, int32_t plate, int32_t closed)
 {
     TinkerTrigger trigger = {kind, body, plate, closed, -1, 0};
