@@ -38,8 +38,8 @@ static gboolean leaves_open(const TinkerContactWork *work, double tolerance)
     return open;
 }
 
-/* Whether the impulses keep the laws; what may hold and does counts as holding. Where all that
- * meets is rounding beside the largest velocity nothing closes: the path of pivots has no impulses so small. */
+/* Whether the impulses keep the laws; what may hold and does counts as holding. Where all that meets is rounding beside
+ * the largest velocity nothing closes: the path of pivots has no impulses so small. */
 static gboolean keeps_laws(TinkerContactWork *work, double tolerance)
 {
     tinker_contact_velocities(&work->problem, work->p, work->v, work->size);
