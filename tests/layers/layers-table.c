@@ -141,8 +141,8 @@ const Rooms folders_with_rooms[] = {
       "film/motion-film.h"}},
     {"host/cli", {"command", "report", "plugins", "verb"}, {NULL}},
     {"host/gui",
-     {"text", "widget", "document", "curve", "canvas", "mode", "equation", "property", "start", "graph", "instrument",
-      "accuracy", "film", "gallery", "window", "app"},
+     {"text", "widget", "document", "accuracy", "curve", "canvas", "mode", "equation", "property", "start", "graph",
+      "instrument", "film", "gallery", "window", "app"},
      {NULL}},
     {NULL, {NULL}, {NULL}},
 };
