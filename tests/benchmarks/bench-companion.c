@@ -1,5 +1,6 @@
 /* What the error estimate costs: runs with a companion, beside those without, in turns; in time that goes by, where
- * two processors are free, and in time that processors worked. */
+ * two processors are free, and in time that processors worked. Two runs without one, at once, tell how free they are:
+ * where that takes longer than one, the companion's thread is slowed down as much. */
 #include <math.h>
 
 #include "numerics/sharing/sharing.h"
@@ -34,6 +35,22 @@ static Cost run(const BenchmarkSubject *subject, gboolean estimate, int threads)
     return (Cost){benchmark_now() - started, benchmark_processor_time() - worked};
 }
 
+static gpointer run_alone(gpointer subject)
+{
+    (void)run(subject, FALSE, 1);
+    return NULL;
+}
+
+/* Two runs without estimate, each on a thread of its own. */
+static double run_two(BenchmarkSubject *subject, BenchmarkSubject *other)
+{
+    const double started = benchmark_now();
+    GThread *beside = g_thread_new("other", run_alone, other);
+    (void)run_alone(subject);
+    g_thread_join(beside);
+    return benchmark_now() - started;
+}
+
 static void figure(BenchmarkReport *report, const char *scene, const char *what, double value, const char *unit,
                    double goal)
 {
@@ -46,26 +63,34 @@ static void measure(BenchmarkReport *report, const char *scene, char *text, cons
 {
     g_autofree char *owned = text;
     if (!benchmark_report_wants(report, scene)) return;
-    BenchmarkSubject subject = benchmark_subject(text, method, step);
-    subject.options.duration = duration;
-    subject.options.interval = interval;
-    double walls[3][ROUNDS], work[3][ROUNDS];
-    for (int i = 0; i < ROUNDS; i++)
+    BenchmarkSubject subjects[] = {benchmark_subject(text, method, step), benchmark_subject(text, method, step)};
+    BenchmarkSubject *subject = &subjects[0];
+    for (gsize i = 0; i < G_N_ELEMENTS(subjects); i++) {
+        subjects[i].options.duration = duration;
+        subjects[i].options.interval = interval;
+    }
+    double walls[3][ROUNDS], work[3][ROUNDS], two[ROUNDS];
+    for (int i = 0; i < ROUNDS; i++) {
+        two[i] = run_two(subject, &subjects[1]);
         for (int k = 0; k < 3; k++) {
-            const Cost cost = run(&subject, k > 0, k < 2 ? 1 : 2);
+            const Cost cost = run(subject, k > 0, k < 2 ? 1 : 2);
             walls[k][i] = cost.wall;
             work[k][i] = cost.work;
         }
+    }
     double wall[3], worked[3];
     for (int k = 0; k < 3; k++) {
         wall[k] = benchmark_summarize(walls[k], ROUNDS).minimum;
         worked[k] = benchmark_summarize(work[k], ROUNDS).minimum;
     }
     figure(report, scene, "a run without estimate", 1e3 * wall[0], "ms", NAN);
+    figure(report, scene, "two of them at once", benchmark_summarize(two, ROUNDS).minimum / wall[0], "times as long",
+           NAN);
     figure(report, scene, "with it on one thread", wall[1] / wall[0], "times as long", NAN);
     figure(report, scene, "with it on two", wall[2] / wall[0], "times as long", 2.1);
     figure(report, scene, "work with it on two", worked[2] / worked[0], "times as much", NAN);
-    benchmark_subject_clear(&subject);
+    for (gsize i = 0; i < G_N_ELEMENTS(subjects); i++)
+        benchmark_subject_clear(&subjects[i]);
 }
 
 /* Masses of 1 kg in a row on springs of 1000 N/m, let go level. */
