@@ -84,7 +84,7 @@ const Rooms folders_with_rooms[] = {
       "stability/coupled.h"}},
     {"core/physics",
      {"model", "constraint", "force", "shapes", "contact", "compile", "line", "system", "impulse", "record",
-      "linearise", "plan", "island", "event", "run"},
+      "linearise", "plan", "island", "event", "limit", "run"},
      {"model/model.h",
       "model/breaks.h",
       "constraint/jolts.h",

@@ -8,6 +8,7 @@
 #include "physics/island/island-run.h"
 #include "physics/model/model-data.h"
 #include "physics/model/points.h"
+#include "physics/model/state.h"
 #include "physics/system/method-call.h"
 #include "physics/system/system.h"
 
@@ -20,6 +21,35 @@ static const TinkerPlate *top_at(const TinkerContacts *contacts, int32_t point)
     for (int32_t i = 0; i < contacts->plate_count; i++)
         if (contacts->plates[i].point == point) return &contacts->plates[i];
     return NULL;
+}
+
+double tinker_contact_run_swing(TinkerContactRun *self, int32_t point, const TinkerPlate *top, double from, double to)
+{
+    const TinkerPlace *turned = top != NULL ? top->turned : NULL;
+    const double reach = turned != NULL ? hypot(top->half_width, top->half_height) : 0;
+    double *speed = &self->plate_speed[point - self->model->first_support], change = 0;
+    for (int k = 0; k <= 8; k++) {
+        if (tinker_model_set_time(self->model, from + k * (to - from) / 8) != TINKER_OK) return 0;
+        const double *a = self->model->point_acceleration + 2 * point;
+        const double rate = turned != NULL ? fabs(turned->rate) : 0,
+                     alpha = turned != NULL ? fabs(turned->angular_acceleration) : 0;
+        *speed = fmax(*speed, hypot(self->model->point[point].vx, self->model->point[point].vy) + rate * reach);
+        change = fmax(change, hypot(a[0], a[1]) + (alpha + rate * rate) * reach);
+    }
+    self->contacts->plate_speed = fmax(self->contacts->plate_speed, *speed);
+    return *speed > 0 ? change / *speed : 0;
+}
+
+double tinker_contact_run_fastest_turn(const TinkerContactRun *self)
+{
+    const TinkerModel *model = self->model;
+    double highest = 0;
+    for (int32_t k = 0; self->contacts->gap_count > 0 && k < model->turning; k++) {
+        const int32_t at = 2 * model->bodies + k;
+        const double speed = fmax(fabs(self->from.v[at]), fabs(self->run->state.v[at]));
+        if (self->contacts->reach[model->turns[k].body] > 0) highest = fmax(highest, speed / model->turns[k].gyration);
+    }
+    return highest;
 }
 
 /* What supports that move do to bodies that rest is a function of time that no error control sees, since the bodies

@@ -204,6 +204,8 @@ void tinker_contact_run_note_force_scales(TinkerContactRun *contact_run);
  * largest speed so far. */
 double tinker_contact_run_swing(TinkerContactRun *contact_run, int32_t point, const TinkerPlate *top, double from,
                                 double to);
+/* How fast (rad/s) bodies turn whose corners may touch: at the ends of the step. */
+double tinker_contact_run_fastest_turn(const TinkerContactRun *contact_run);
 
 /* The end (s) of the longest step that may be made from the state of the run, `limit` at most. */
 double tinker_contact_run_step_limit(TinkerContactRun *contact_run, double limit);

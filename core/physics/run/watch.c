@@ -5,9 +5,9 @@
 
 #include "physics/constraint/constraints.h"
 #include "physics/contact/contacts.h"
-#include "physics/event/law-watch.h"
 #include "physics/island/island-run.h"
 #include "physics/island/stability-watch.h"
+#include "physics/limit/law-watch.h"
 #include "physics/model/failures.h"
 #include "physics/model/model-data.h"
 #include "physics/plan/guard.h"

@@ -1,9 +1,9 @@
 /* Lines with a direction to lose, and the motion of their ends. */
 #include <math.h>
 
-#include "physics/event/direction-private.h"
-#include "physics/event/tolerances.h"
 #include "physics/island/island-run.h"
+#include "physics/limit/direction-private.h"
+#include "physics/limit/tolerances.h"
 #include "physics/line/linear-form.h"
 #include "physics/model/model-data.h"
 #include "physics/model/points.h"

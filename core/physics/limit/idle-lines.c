@@ -1,11 +1,11 @@
 /* How far steps go while lines are idle; see the header. */
-#include "physics/event/idle-lines.h"
+#include "physics/limit/idle-lines.h"
 
 #include <float.h>
 #include <math.h>
 #include <string.h>
 
-#include "physics/event/tolerances.h"
+#include "physics/limit/tolerances.h"
 #include "physics/model/model-data.h"
 #include "physics/model/points.h"
 #include "physics/model/state.h"

@@ -5,8 +5,8 @@
 
 #include <math.h>
 
-#include "physics/event/direction-watch.h"
 #include "physics/island/island-run.h"
+#include "physics/limit/direction-watch.h"
 #include "physics/model/model-data.h"
 
 typedef struct {

@@ -1,12 +1,12 @@
 /* Steps along typed laws; see the header. */
-#include "physics/event/law-watch.h"
+#include "physics/limit/law-watch.h"
 
 #include <glib/gi18n-lib.h>
 #include <math.h>
 #include <string.h>
 
-#include "physics/event/tolerances.h"
 #include "physics/force/law-paths.h"
+#include "physics/limit/tolerances.h"
 #include "physics/model/model-data.h"
 #include "physics/model/state.h"
 #include "physics/system/method-call.h"
