@@ -64,7 +64,7 @@ static double summed_tension(const TinkerTypedLaw *law, const double *arguments)
     const double length = arguments[0];
     double sum = 0, room[3];
     tinker_integrate(put_tension, no_kink, (void *)law, 1, fmin(length, COUNTED_FROM), fmax(length, COUNTED_FROM),
-                     SUM_TOLERANCE, &sum, room);
+                     SUM_TOLERANCE, 0, &sum, room);
     return !isfinite(sum) ? NAN : length < COUNTED_FROM ? -sum : sum;
 }
 

@@ -62,6 +62,19 @@ static void test_path_of_throw(void)
     }
 }
 
+/* A disc on a pin turns where it is, while what its cord carries falls: its speed is rounding, which has no path. */
+static void test_path_of_what_stands(void)
+{
+    g_autoptr(PhysicsRun) run =
+        physics_run(&(PhysicsOptions){.duration = 0.4, .columns = "Disc 0.path length, Mass 0.path length"},
+                    "{'type': 'gravity', 'acceleration': 9}, {'type': 'support', 'position': [0, 0], 'solid': false},"
+                    "{'type': 'disc', 'mass': 1, 'radius': 0.4, 'position': [0, 0], 'solid': false},"
+                    "{'type': 'pin', 'ends': ['Support 0', 'Disc 0']}, {'type': 'mass', 'position': [0.4, -1]},"
+                    "{'type': 'cord', 'ends': ['Disc 0', 'Mass 0'], 'side': 'left'}");
+    physics_assert_near("the pulley's", physics_last(run, 0), 0, 1e-14);
+    physics_assert_near("the mass's", physics_last(run, 1), 0.5 * 9 / 1.5 * 0.16, 1e-9); /* a = g / (1 + 1/2) */
+}
+
 /* Without gravity a rod turns steadily: 2 rad/s at 1.5 m. */
 static double turned(double t, const void *data)
 {
@@ -242,6 +255,7 @@ static void add_tests(void)
     g_test_add_func("/physics/implied/path-of-oscillation", test_path_of_oscillation);
     g_test_add_func("/physics/implied/path-whatever-is-sampled", test_path_whatever_is_sampled);
     g_test_add_func("/physics/implied/path-of-throw", test_path_of_throw);
+    g_test_add_func("/physics/implied/path-of-what-stands", test_path_of_what_stands);
     g_test_add_func("/physics/implied/turning-rod", test_turning_rod);
     g_test_add_func("/physics/implied/band-of-angle", test_band_of_angle);
     g_test_add_func("/physics/implied/distance", test_distance);

@@ -5,6 +5,8 @@
 
 /* Halves of halves: so often. What is left then is a jump or a kink within 2^-40 of the interval. */
 #define DEEPEST 40
+/* Cuts in all: what asks for more is noise, of which halves are as rough as the whole. */
+#define MOST_CUTS 1000
 
 static const double nodes[8] = {0.991455371120812639206854697526329, 0.949107912342758524526189684047851,
                                 0.864864423359769072789712788640926, 0.741531185599394439863864773280788,
@@ -22,7 +24,8 @@ typedef struct {
     TinkerKinkFunc kink;
     void *data;
     int32_t count;
-    double tolerance;
+    double tolerance, noise;
+    int cuts; /* so far */
     double *sums, *kronrod, *gauss, *values;
 } Integral;
 
@@ -42,12 +45,13 @@ static int agree(const Integral *self, double half)
 {
     for (int32_t i = 0; i < self->count; i++) {
         const double value = half * self->kronrod[i], other = half * self->gauss[i];
-        if (fabs(value - other) > self->tolerance * (fabs(value) + fabs(self->sums[i]))) return 0;
+        const double allowed = self->tolerance * (fabs(value) + fabs(self->sums[i]));
+        if (fabs(value - other) > fmax(allowed, self->noise * half)) return 0;
     }
     return 1;
 }
 
-static TinkerStatus add_interval(const Integral *self, double from, double to, int depth)
+static TinkerStatus add_interval(Integral *self, double from, double to, int depth)
 {
     const double middle = 0.5 * (from + to), half = 0.5 * (to - from);
     if (!(half > 0) || !(from < middle && middle < to)) return TINKER_OK;
@@ -59,8 +63,10 @@ static TinkerStatus add_interval(const Integral *self, double from, double to, i
         if (status == TINKER_OK) status = add_node(self, middle + half * nodes[node], node);
     }
     if (status != TINKER_OK) return status;
-    const double cut = depth == DEEPEST ? NAN : agree(self, half) ? self->kink(from, to, self->data) : middle;
+    const int ends = depth == DEEPEST || self->cuts == MOST_CUTS;
+    const double cut = ends ? NAN : agree(self, half) ? self->kink(from, to, self->data) : middle;
     if (from < cut && cut < to) {
+        self->cuts++;
         status = add_interval(self, from, cut, depth + 1);
         return status == TINKER_OK ? add_interval(self, cut, to, depth + 1) : status;
     }
@@ -70,8 +76,8 @@ static TinkerStatus add_interval(const Integral *self, double from, double to, i
 }
 
 TinkerStatus tinker_integrate(TinkerIntegrandFunc function, TinkerKinkFunc kink, void *data, int32_t count, double from,
-                              double to, double tolerance, double *sums, double *room)
+                              double to, double tolerance, double noise, double *sums, double *room)
 {
-    const Integral self = {function, kink, data, count, tolerance, sums, room, room + count, room + 2 * count};
+    Integral self = {function, kink, data, count, tolerance, noise, 0, sums, room, room + count, room + 2 * count};
     return add_interval(&self, from, to, 0);
 }

@@ -119,6 +119,7 @@ void tinker_along_run_free(TinkerAlongRun *self)
 typedef struct {
     TinkerAlongRun *self;
     const Paths *paths;
+    double noise; /* m/s */
 } Speeds;
 
 static TinkerStatus speeds_at(double t, double *values, void *data)
@@ -142,9 +143,9 @@ static void velocity_at(const Speeds *speeds, guint place, double t, double velo
 }
 
 /* Whether a body came back: one that all but stands has no direction. */
-static gboolean turns_back(const double from[2], const double to[2], double fastest)
+static gboolean turns_back(const double from[2], const double to[2], double least)
 {
-    const double least = TINKER_TURNS_BACK * fastest, product = from[0] * to[0] + from[1] * to[1];
+    const double product = from[0] * to[0] + from[1] * to[1];
     return product < 0 && hypot(from[0], from[1]) > least && hypot(to[0], to[1]) > least;
 }
 
@@ -177,19 +178,27 @@ static double kink_between(double from, double to, void *data)
             fastest = fmax(fastest, hypot(v[k][0], v[k][1]));
         }
         for (int k = 0; k < 2; k++)
-            if (turns_back(v[k], v[k + 1], fastest))
+            if (turns_back(v[k], v[k + 1], fmax(TINKER_TURNS_BACK * fastest, speeds->noise)))
                 return turning_point(speeds, place, times[k], times[k + 1], v[k], v[k + 1]);
     }
     return NAN;
+}
+
+/* What rounding makes of the speed of a body that stands still while others of its island move. */
+static double speed_noise(TinkerIslandRun *run)
+{
+    double extent, speed;
+    run->system.system.scales(&run->system, run->state.q, run->state.v, &extent, &speed);
+    return fmax(TINKER_PATH_TOLERANCE * speed, tinker_island_run_speed_noise(run, extent));
 }
 
 TinkerStatus tinker_along_run_follow(TinkerAlongRun *self, guint island, double t)
 {
     Paths *paths = &self->paths[island];
     if (paths->bodies->len == 0 || !(t > paths->until)) return TINKER_OK;
-    Speeds speeds = {self, paths};
+    Speeds speeds = {self, paths, speed_noise(paths->run)};
     TinkerStatus status = tinker_integrate(speeds_at, kink_between, &speeds, (int32_t)paths->bodies->len, paths->until,
-                                           t, TINKER_PATH_TOLERANCE, paths->lengths, self->room);
+                                           t, TINKER_PATH_TOLERANCE, speeds.noise, paths->lengths, self->room);
     paths->until = t;
     return status;
 }
