@@ -153,6 +153,43 @@ static void test_too_many(void)
     g_assert_nonnull(strstr(error->message, "400 bodies that turn"));
 }
 
+/* Ziegler's column: two bars of length 1 and inertia 0.001 upright on torsional springs of 1 N m/rad, pushed along the
+ * upper one by a force P that turns with it. With M = [1.251, 0.5; 0.5, 0.251] and K = [2 - P, P - 1; -1, 1] it is
+ * det(K - w M) = 0, w = omega^2. While both roots are real and positive it stands, without any damping. */
+static char *column_pushed_by(double force)
+{
+    return g_strdup_printf(
+        "{'type': 'support', 'solid': false},"
+        "{'type': 'bar', 'name': 'A', 'position': [0, 0.5], 'orientation': '90 deg', 'inertia': 0.001},"
+        "{'type': 'bar', 'name': 'B', 'position': [0, 1.5], 'orientation': '90 deg', 'inertia': 0.001},"
+        "{'type': 'pin', 'ends': ['Support 0', {'block': 'A', 'at': [-0.5, 0]}]},"
+        "{'type': 'pin', 'ends': [{'block': 'A', 'at': [0.5, 0]}, {'block': 'B', 'at': [-0.5, 0]}]},"
+        "{'type': 'torsional-spring', 'ends': ['Support 0', 'A']}, {'type': 'torsional-spring', 'ends': ['A', 'B']},"
+        "{'type': 'motor', 'ends': [{'block': 'B', 'at': [0.5, 0]}], 'waveform': {'expression': '%g'},"
+        "'angle': '180 deg', 'follows': true}",
+        force);
+}
+
+static void test_pushed_column(void)
+{
+    const double m[3] = {1.251, 0.5, 0.251}, a = m[0] * m[2] - m[1] * m[1];
+    for (double force = 0.25; force < 3.1; force += 0.25) {
+        g_autofree char *blocks = column_pushed_by(force);
+        g_autoptr(ModesFixture) fixture = modes_about_rest(blocks);
+        /* (2 - P - m0 w)(1 - m2 w) - (P - 1 - m1 w)(-1 - m1 w) */
+        const double b = -m[0] - (2 - force) * m[2] + (force - 1) * m[1] - m[1], c = 2 - force + force - 1;
+        const double under = b * b - 4 * a * c, growth = tinker_modes_growth(fixture->analysis->modes);
+        if (under > 0) {
+            const double far = (-b + sqrt(under)) / (2 * a), truth[] = {sqrt(c / (a * far)), sqrt(far)};
+            modes_assert_frequencies(fixture, truth, 2);
+            g_assert_cmpfloat(growth, ==, 0);
+        } else { /* w = u +- i v: omega = x + i y with y^2 = (|w| - u) / 2 */
+            const double u = -b / (2 * a), size = sqrt(c / a);
+            modes_assert_relative("growth", growth, sqrt((size - u) / 2), 1e-7);
+        }
+    }
+}
+
 static void add_tests(void)
 {
     g_test_add_func("/modes/bars", test_bars);
@@ -163,6 +200,7 @@ static void add_tests(void)
     g_test_add_func("/modes/idle-rod", test_idle_rod);
     g_test_add_func("/modes/idle-rod-and-damper", test_idle_rod_and_damper);
     g_test_add_func("/modes/straight-bar", test_straight_bar);
+    g_test_add_func("/modes/pushed-column", test_pushed_column);
     g_test_add_func("/modes/too-many", test_too_many);
 }
 
