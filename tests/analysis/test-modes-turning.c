@@ -180,8 +180,9 @@ static void test_pushed_column(void)
         const double b = -m[0] - (2 - force) * m[2] + (force - 1) * m[1] - m[1], c = 2 - force + force - 1;
         const double under = b * b - 4 * a * c, growth = tinker_modes_growth(fixture->analysis->modes);
         if (under > 0) {
-            const double far = (-b + sqrt(under)) / (2 * a), truth[] = {sqrt(c / (a * far)), sqrt(far)};
-            modes_assert_frequencies(fixture, truth, 2);
+            const double far = (-b + sqrt(under)) / (2 * a);
+            modes_assert_relative("lower", modes_at(fixture, 0)->natural, sqrt(c / (a * far)), 1e-8);
+            modes_assert_relative("upper", modes_at(fixture, 1)->natural, sqrt(far), 1e-8);
             g_assert_cmpfloat(growth, ==, 0);
         } else { /* w = u +- i v: omega = x + i y with y^2 = (|w| - u) / 2 */
             const double u = -b / (2 * a), size = sqrt(c / a);
