@@ -160,6 +160,42 @@ static void test_nothing_to_swing(void)
     g_assert_cmpstr(none, ==, "Nothing in this scene can move.");
 }
 
+static void assert_left_out(const char *blocks, const char *sentence)
+{
+    g_autoptr(ModesFixture) fixture = modes_about_rest(blocks);
+    g_autoptr(GPtrArray) sentences = tinker_modes_left_out(fixture->analysis, fixture->scene);
+    g_assert_cmpuint(sentences->len, ==, sentence != NULL ? 1 : 0);
+    if (sentence != NULL) g_assert_cmpstr(g_ptr_array_index(sentences, 0), ==, sentence);
+}
+
+/* A disc on a floor, which it would sink through to hang on its spring; the same high above it; an arm that a
+ * drive turns, and one whose drive stands. */
+static void test_left_out(void)
+{
+    static const char floor[] = "{'type': 'gravity'}, {'type': 'support', 'name': 'Floor', 'position': [0, -0.2], "
+                                "'width': 10}, {'type': 'support', 'name': 'Wall', 'position': [-2, 0.3], 'solid': "
+                                "false}, {'type': 'disc', 'radius': 0.3, 'position': [0, %g]}, {'type': 'spring', "
+                                "'ends': ['Wall', 'Disc 0'], 'stiffness': 30}";
+    static const char arm[] = "{'type': 'support', 'name': 'O', 'solid': false, 'position': [0, 0]}, {'type': 'bar', "
+                              "'name': 'Arm', 'position': [0, 0]}, "
+                              "{'type': 'pin', 'ends': ['O', 'Arm']}, {'type': 'drive', 'ends': ['Arm', 'O'], 'speed': "
+                              "%g}, {'type': 'mass', 'position': [1, 0]}, {'type': 'slot', 'ends': ['Arm', 'Mass 0']}, "
+                              "{'type': 'spring', 'ends': ['O', 'Mass 0'], 'rest_length': 1}";
+    static const char contact[] = "Disc 0 touches Floor, which is left out: it moves as if that were not there",
+                      motion[] = "Drive 0 is held still where it is at t = 0: its motion is left out";
+    const struct {
+        const char *format;
+        double value;
+        const char *sentence;
+    } cases[] = {{floor, 0.3, contact}, {floor, 20, NULL}, {arm, 5, motion}, {arm, 0, NULL}};
+    for (gsize i = 0; i < G_N_ELEMENTS(cases); i++) {
+        g_autofree char *value = g_strdup_printf("%g", cases[i].value);
+        g_auto(GStrv) parts = g_strsplit(cases[i].format, "%g", 2);
+        g_autofree char *blocks = g_strjoinv(value, parts);
+        assert_left_out(blocks, cases[i].sentence);
+    }
+}
+
 static void add_tests(void)
 {
     g_test_add_func("/analysis/mode-words/two-masses", test_two_masses);
@@ -169,6 +205,7 @@ static void add_tests(void)
     g_test_add_func("/analysis/mode-words/ratio-of-three", test_ratio_of_three);
     g_test_add_func("/analysis/mode-words/number-of-pair", test_number_of_pair);
     g_test_add_func("/analysis/mode-words/nothing-to-swing", test_nothing_to_swing);
+    g_test_add_func("/analysis/mode-words/left-out", test_left_out);
     g_test_add_func("/analysis/mode-words/captions", test_captions);
     g_test_add_func("/analysis/mode-words/damped-caption", test_damped_caption);
 }

@@ -96,6 +96,7 @@ const Rooms folders_with_rooms[] = {
       "record/columns.h",
       "record/sample-times.h",
       "record/record.h",
+      "linearise/left-out.h",
       "linearise/linearise.h",
       "linearise/linear-probe.h",
       "plan/islands.h",

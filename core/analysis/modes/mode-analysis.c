@@ -16,10 +16,14 @@ static gboolean analyse(TinkerModeAnalysis *analysis, gboolean rest, GError **er
                             "its supports have no place at the start");
         return FALSE;
     }
+    /* on the way to rest a body may pass through what it touches at the start */
+    analysis->left_out = g_array_new(FALSE, FALSE, sizeof(TinkerLeftOut));
+    tinker_linearise_add_left_out(analysis->model, analysis->q, analysis->left_out);
     TinkerStillContacts *contacts = analysis->contacts;
     if (rest && !tinker_equilibrium_find(analysis->model, contacts, analysis->q, &analysis->rest, error)) return FALSE;
     analysis->about_rest = rest && analysis->rest.found;
     if (contacts != NULL && !rest && !tinker_still_contacts_decide(contacts, analysis->q, error)) return FALSE;
+    tinker_linearise_add_left_out(analysis->model, analysis->q, analysis->left_out);
     analysis->linear = tinker_linearise(analysis->model, analysis->q, error);
     if (analysis->linear == NULL) return FALSE;
     analysis->basis = tinker_modal_basis_new(analysis->linear, error);
@@ -40,6 +44,7 @@ void tinker_mode_analysis_free(TinkerModeAnalysis *analysis)
 {
     if (analysis == NULL) return;
     g_clear_pointer(&analysis->modes, g_ptr_array_unref);
+    g_clear_pointer(&analysis->left_out, g_array_unref);
     tinker_modal_basis_free(analysis->basis);
     tinker_linearisation_free(analysis->linear);
     tinker_still_contacts_free(analysis->contacts);

@@ -5,6 +5,7 @@
 #include "analysis/modes/equilibrium.h"
 #include "analysis/modes/frequency-response.h"
 #include "analysis/modes/modes.h"
+#include "physics/linearise/left-out.h"
 
 typedef struct {
     TinkerModel *model;            /* held */
@@ -15,6 +16,7 @@ typedef struct {
     TinkerLinearisation *linear;
     TinkerModalBasis *basis;
     GPtrArray *modes; /* of TinkerMode * */
+    GArray *left_out; /* of TinkerLeftOut: what is there and does not count */
 } TinkerModeAnalysis;
 
 /* About the rest state that the start leads to, or about the start itself. Where no rest is found the analysis is about

@@ -84,6 +84,21 @@ static void add_held(cJSON *root, const TinkerModeReport *report)
     }
 }
 
+static void add_left_out(cJSON *root, const TinkerModeReport *report)
+{
+    const GArray *left_out = report->analysis->left_out;
+    cJSON *array = cJSON_AddArrayToObject(root, "left_out");
+    for (guint i = 0; i < left_out->len; i++) {
+        const TinkerLeftOut *out = &g_array_index(left_out, TinkerLeftOut, i);
+        cJSON *object = cJSON_CreateObject();
+        cJSON_AddStringToObject(object, "block", tinker_scene_block_name(report->scene, out->block));
+        if (out->kind == TINKER_LEFT_OUT_CONTACT)
+            cJSON_AddStringToObject(object, "touches", tinker_scene_block_name(report->scene, out->other));
+        cJSON_AddStringToObject(object, "what", out->kind == TINKER_LEFT_OUT_CONTACT ? "contact" : "motion");
+        cJSON_AddItemToArray(array, object);
+    }
+}
+
 static void add_shape(cJSON *object, const TinkerModeReport *report, const TinkerMode *mode)
 {
     cJSON *shape = cJSON_AddArrayToObject(object, "shape");
@@ -167,6 +182,7 @@ void tinker_mode_report_write_json(const TinkerModeReport *report, FILE *file)
     add_state(root, report);
     add_contacts(root, report);
     add_held(root, report);
+    add_left_out(root, report);
     add_modes(root, report);
     add_response(root, report);
     cJSON *warnings = cJSON_AddArrayToObject(root, "warnings");

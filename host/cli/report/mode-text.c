@@ -5,6 +5,7 @@
 
 #include "cli/report/text-table.h"
 #include "common/program/print.h"
+#include "common/words/mode-words.h"
 
 #define HERTZ(omega) ((omega) / (2 * G_PI))
 /* Columns of shapes that stand beside one another. */
@@ -94,6 +95,11 @@ static void write_assumed(const TinkerModeReport *report, FILE *file)
         if (place == NULL) continue;
         fprintf(file, "%-21s", head);
         write_held(tinker_scene_block_name(report->scene, block), place, file);
+        head = "";
+    }
+    g_autoptr(GPtrArray) left_out = tinker_modes_left_out(report->analysis, report->scene);
+    for (guint i = 0; i < left_out->len; i++) {
+        tinker_print_line(file, "%-21s%s", head, (const char *)g_ptr_array_index(left_out, i));
         head = "";
     }
 }

@@ -121,6 +121,26 @@ char *tinker_mode_ratio(const TinkerModeAnalysis *analysis, const TinkerMode *mo
     return g_strdup_printf("%s = %s", names->str, numbers->str);
 }
 
+/* What does not count -------------------------------------------------------------------------------------------------
+ */
+
+GPtrArray *tinker_modes_left_out(const TinkerModeAnalysis *analysis, TinkerScene *scene)
+{
+    GPtrArray *sentences = g_ptr_array_new_with_free_func(g_free);
+    for (guint i = 0; i < analysis->left_out->len; i++) {
+        const TinkerLeftOut *out = &g_array_index(analysis->left_out, TinkerLeftOut, i);
+        const char *name = tinker_scene_block_name(scene, out->block);
+        if (out->kind == TINKER_LEFT_OUT_MOTION)
+            g_ptr_array_add(sentences,
+                            g_strdup_printf(_("%s is held still where it is at t = 0: its motion is left out"), name));
+        else
+            g_ptr_array_add(sentences, g_strdup_printf(_("%s touches %s, which is left out: it moves as if that were "
+                                                         "not there"),
+                                                       name, tinker_scene_block_name(scene, out->other)));
+    }
+    return sentences;
+}
+
 /* Why there is none -------------------------------------------------------------------------------------------------
  */
 

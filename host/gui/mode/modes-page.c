@@ -12,10 +12,11 @@
 #include "gui/widget/unparent.h"
 #include "render/plot/plot.h"
 
-#define MOST_MODES   40
-#define CURVE_HEIGHT 220 /* px */
-#define LEAST_PERIOD 0.8 /* s: of the swing that is shown, */
-#define MOST_PERIOD  3.0 /* as long as it takes, or within these */
+#define MOST_MODES    40
+#define MOST_LEFT_OUT 4
+#define CURVE_HEIGHT  220 /* px */
+#define LEAST_PERIOD  0.8 /* s: of the swing that is shown, */
+#define MOST_PERIOD   3.0 /* as long as it takes, or within these */
 
 struct _TinkerModesPage {
     GtkWidget parent_instance;
@@ -211,6 +212,17 @@ static void show_drives(TinkerModesPage *page, const TinkerModesResult *result)
     gtk_widget_queue_draw(page->curve);
 }
 
+/* Adds what does not count, a sentence a line. (transfer full) */
+static char *with_left_out(const char *note, const TinkerModesResult *result)
+{
+    GString *text = g_string_new(note);
+    g_autoptr(GPtrArray) left_out = tinker_modes_left_out(result->analysis, result->scene);
+    for (guint i = 0; i < left_out->len && i < MOST_LEFT_OUT; i++)
+        g_string_append_printf(text, "\n%s.", (const char *)g_ptr_array_index(left_out, i));
+    if (left_out->len > MOST_LEFT_OUT) g_string_append(text, "\n…");
+    return g_string_free(text, FALSE);
+}
+
 /* What is to be said beside the list; NULL: nothing. (transfer full) */
 static char *note_of(TinkerModesPage *page, const TinkerModesResult *result)
 {
@@ -219,9 +231,12 @@ static char *note_of(TinkerModesPage *page, const TinkerModesResult *result)
         return result->error != NULL ? tinker_sentence_in(scene, result->error->message) : NULL;
     if (result->analysis->modes->len == 0) return tinker_modes_none(result->analysis, result->scene);
     if (!result->analysis->about_rest)
-        return g_strdup(_("The scene has no rest that it comes to: these are the modes about its start, held still."));
-    return g_strdup(_("Small motions about the rest of the scene. The mode that is selected swings on the canvas; a "
-                      "second click, Escape or Play ends that."));
+        return with_left_out(
+            _("The scene has no rest that it comes to: these are the modes about its start, held still."), result);
+    return with_left_out(
+        _("Small motions about the rest of the scene. The mode that is selected swings on the canvas; a "
+          "second click, Escape or Play ends that."),
+        result);
 }
 
 static void on_result(TinkerModesPage *page)
