@@ -62,6 +62,27 @@ static void test_chaos(void)
     }
 }
 
+/* When predictability ends is that of the motion, not that of who looks when. */
+static void test_end_whatever_is_sampled(void)
+{
+    static const double intervals[] = {0.1, 1, 60};
+    double said[G_N_ELEMENTS(intervals)];
+    g_autoptr(PhysicsRun) finest = run_chaos("dop853", 1e-13, FALSE);
+    for (gsize i = 0; i < G_N_ELEMENTS(intervals); i++) {
+        g_autoptr(PhysicsRun) run = physics_run(&(PhysicsOptions){.method = "dop853",
+                                                                  .tolerance = 1e-6,
+                                                                  .duration = 60,
+                                                                  .interval = intervals[i],
+                                                                  .columns = "Mass 0.x, Mass 1.x",
+                                                                  .estimate = TRUE},
+                                                DOUBLE_PENDULUM);
+        said[i] = run->summary->predictable_until;
+        physics_assert_near("predictable until", said[i], said[0], 0.2);
+        g_autoptr(PhysicsRun) close = run_chaos("dop853", 1e-6, FALSE);
+        g_assert_cmpfloat(said[i], <=, parted_at(close, finest) + 1e-9);
+    }
+}
+
 /* A double pendulum, an oscillator that swings on a moving support, one along a line. */
 #define BUSY_SCENE                                                                                                     \
     DOUBLE_PENDULUM                                                                                                    \
@@ -225,6 +246,7 @@ static void test_equal_steps(void)
 static void add_tests(void)
 {
     g_test_add_func("/physics/estimate/chaos", test_chaos);
+    g_test_add_func("/physics/estimate/end-whatever-is-sampled", test_end_whatever_is_sampled);
     g_test_add_func("/physics/estimate/no-bit-changes", test_no_bit_changes);
     g_test_add_func("/physics/estimate/failing-companion", test_failing_companion);
     g_test_add_func("/physics/estimate/held", test_held);

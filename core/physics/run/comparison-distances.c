@@ -8,6 +8,19 @@
 #include "physics/model/points.h"
 #include "physics/system/method-call.h"
 
+/* Of squares: between two marks a distance grows by a fiftieth at most. */
+#define MARK_GROWTH 1.04
+
+static void mark(ComparisonPart *part, double t)
+{
+    const ComparisonMark now = {t, part->places, part->speeds};
+    if (part->marks->len > 0) {
+        const ComparisonMark *last = &g_array_index(part->marks, ComparisonMark, part->marks->len - 1);
+        if (now.places <= MARK_GROWTH * last->places && now.speeds <= MARK_GROWTH * last->speeds) return;
+    }
+    g_array_append_val(part->marks, now);
+}
+
 void comparison_look_at_point(TinkerComparison *self, ComparisonPart *part, TinkerIslandRun *other)
 {
     const gsize n = (gsize)other->model->coordinates;
@@ -24,6 +37,7 @@ void comparison_look_at_point(TinkerComparison *self, ComparisonPart *part, Tink
     const TinkerImpacts impacts = tinker_impacts_of(other);
     if (tinker_impacts_let_speeds_tell(&part->impacts, &impacts, t))
         part->speeds = tinker_largest_way(other->model, q + n, other_v, part->speeds);
+    mark(part, t);
 }
 
 static void compare_samples(TinkerComparison *self, guint number, const TinkerIslandNews *news, const double *q,
@@ -48,12 +62,21 @@ static void compare_samples(TinkerComparison *self, guint number, const TinkerIs
 
 /* The largest distance of the two states of an island so far, by its scales at the sample: what was much beside the
  * first slow moments may be little beside what follows. */
-static double distance(const ComparisonPart *part, const TinkerIslandNews *news)
+static double distance(double factor, const TinkerIslandNews *news, double places_apart, double speeds_apart)
 {
     if (news->rests) return 0;
-    double places = news->extent > 0 ? sqrt(part->places) / news->extent : 0, speeds = 0;
-    if (news->speed > news->noise) speeds = sqrt(part->speeds) / news->speed;
-    return part->factor * fmax(places, speeds);
+    double places = news->extent > 0 ? sqrt(places_apart) / news->extent : 0, speeds = 0;
+    if (news->speed > news->noise) speeds = sqrt(speeds_apart) / news->speed;
+    return factor * fmax(places, speeds);
+}
+
+double comparison_time_of(const ComparisonPart *part, const TinkerIslandNews *news, double error, double t)
+{
+    for (guint i = 0; i < part->marks->len; i++) {
+        const ComparisonMark *at = &g_array_index(part->marks, ComparisonMark, i);
+        if (distance(part->factor, news, at->places, at->speeds) > error) return fmin(at->t, t);
+    }
+    return t;
 }
 
 double comparison_error_of(TinkerComparison *self, guint number, const TinkerIslandNews *news, const double *q,
@@ -64,5 +87,5 @@ double comparison_error_of(TinkerComparison *self, guint number, const TinkerIsl
     part->error = news->rounding;
     if (!(part->factor > 0)) return part->error;
     compare_samples(self, number, news, q, v, t);
-    return part->error = fmax(part->error, distance(part, news));
+    return part->error = fmax(part->error, distance(part->factor, news, part->places, part->speeds));
 }

@@ -119,6 +119,18 @@ static gboolean abandon_undetermined(TinkerComparison *self, const TinkerIslandN
     return all;
 }
 
+/* When the error passed a tenth, of a sample at t that is the first to find it so. */
+static double time_of_passing(const TinkerComparison *self, const TinkerIslandNews *islands, double t)
+{
+    double first = t;
+    for (guint i = 0; i < self->islands; i++) {
+        const ComparisonPart *part = &self->parts[i];
+        if (!islands[i].determined || part->marks == NULL) continue;
+        first = fmin(first, comparison_time_of(part, &islands[i], TINKER_UNPREDICTABLE, t));
+    }
+    return first;
+}
+
 void comparison_take_sample(TinkerComparison *self, const TinkerSampleNews *news)
 {
     GError *failed = NULL;
@@ -136,7 +148,9 @@ void comparison_take_sample(TinkerComparison *self, const TinkerSampleNews *news
     if (!(findings->error > TINKER_UNPREDICTABLE))
         findings->predictable_until = INFINITY;
     else if (isinf(findings->predictable_until))
-        findings->predictable_until = news->t;
+        findings->predictable_until = time_of_passing(self, islands, news->t);
+    for (guint i = 0; i < self->islands; i++)
+        if (self->parts[i].marks != NULL) g_array_set_size(self->parts[i].marks, 0);
     if (self->bands != NULL && determined) widen_bands(self, news->t, v + (gsize)self->coordinates);
     tell_found(self, news->t);
 }

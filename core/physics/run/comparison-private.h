@@ -7,10 +7,16 @@
 #include "physics/run/companion.h"
 #include "physics/run/comparison.h"
 
+/* What the distances had come to at a point. */
+typedef struct {
+    double t, places, speeds; /* s, m^2, m^2/s^2 */
+} ComparisonMark;
+
 /* Of one island. */
 typedef struct {
     double factor;             /* error over distance; 0 where rounding is all there is, and nothing is compared */
     double places, speeds;     /* m^2, m^2/s^2: squares of the largest distances so far */
+    GArray *marks;             /* of ComparisonMark: how they grew since the last sample */
     double error;              /* of the scales, at the sample looked at last */
     TinkerCompanionEnds *ends; /* NULL where they are not watched, or not any more */
     TinkerImpacts impacts;     /* of the run */
@@ -45,6 +51,9 @@ struct _TinkerComparison {
  * too. */
 void comparison_look_at_point(TinkerComparison *self, ComparisonPart *part, TinkerIslandRun *other);
 /* What an island is off by at the sample; of one that is not determined any more, what it was off by until then. */
+/* When (s) the distance of an island first made an error of this size, since the sample before one at t that has found
+ * it to: by the scales of that sample. */
+double comparison_time_of(const ComparisonPart *part, const TinkerIslandNews *news, double error, double t);
 double comparison_error_of(TinkerComparison *self, guint number, const TinkerIslandNews *news, const double *q,
                            const double *v, double t);
 

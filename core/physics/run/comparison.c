@@ -44,6 +44,7 @@ static gboolean open_companion(TinkerComparison *self, TinkerIslandRuns *runs, c
         ComparisonPart *part = &self->parts[i];
         TinkerIslandRun *other = g_ptr_array_index(companion->runs, i);
         part->ends = tinker_companion_ends_new(other);
+        part->marks = g_array_new(FALSE, FALSE, sizeof(ComparisonMark));
         part->kept = g_new0(double, 2 * TINKER_MOST_POINTS * (gsize)other->model->coordinates);
         other->abandoned = part->factor == 0 && self->bands == NULL; /* nobody asks where it is */
     }
@@ -79,6 +80,7 @@ void tinker_comparison_free(TinkerComparison *self)
     if (self == NULL) return;
     for (guint i = 0; i < self->islands; i++) {
         tinker_companion_ends_free(self->parts[i].ends);
+        g_clear_pointer(&self->parts[i].marks, g_array_unref);
         g_free(self->parts[i].kept);
     }
     tinker_island_runs_free(self->companion);

@@ -80,7 +80,7 @@ void tinker_comparison_hurry(TinkerComparison *comparison);
 /* What has been found. */
 typedef struct {
     double error;             /* the largest so far, in units of the scales; NAN from where the companion stopped on */
-    double predictable_until; /* s: where it passed a tenth; INFINITY */
+    double predictable_until; /* s: where it passed a tenth, between two samples too; INFINITY */
     const double *bands;      /* by column, or NULL */
     char *failure; /* the warning of a companion that failed, and behind how many of the run's it comes; NULL */
     guint failure_place;
