@@ -314,6 +314,8 @@ static void test_pages(CliFixture *fixture, gconstpointer data)
                                    "  = kinetic energy after  65\n");
     g_autoptr(TestProgram) csv = cli_run_well(fixture, "books @scene.json --to 1 --as csv");
     g_assert_true(g_str_has_prefix(csv->output, "block,force_x [N],force_y [N],work [J],"));
+    g_autoptr(TestProgram) twice = cli_run_well(fixture, "books @scene.json --block Ball --block Ball --to 1");
+    cli_assert_holds(twice->output, "  kinetic energy before   25\n");
     g_autoptr(TestProgram) order = cli_run_badly(fixture, "books @scene.json --from 2 --to 1", 2);
     cli_assert_holds(order->error, "--to must be later than --from");
     g_autoptr(TestProgram) late = cli_run_badly(fixture, "books @scene.json --to 5", 2);
@@ -336,6 +338,12 @@ static void test_diagram(CliFixture *fixture, gconstpointer data)
     cli_assert_holds(page->output, "  force                x [N]  y [N]  size [N]\n");
     g_autoptr(TestProgram) nobody = cli_run_badly(fixture, "diagram @scene.json", 2);
     cli_assert_holds(nobody->error, "a body is needed");
+    g_autoptr(TestProgram) held = cli_run_badly(fixture, "diagram @scene.json --block Bob --block Pivot", 2);
+    cli_assert_holds(held->error, "\"Pivot\": it cannot move, and has a diagram of its own alone");
+    g_autoptr(TestProgram) other = cli_run_badly(fixture, "diagram @scene.json --block Bob -o @d.jpg", 2);
+    cli_assert_holds(other->error, "no picture is made with this ending");
+    g_autoptr(TestProgram) field = cli_run_well(fixture, "diagram @scene.json --block Gravity");
+    cli_assert_holds(field->output, "nothing acts on it");
 }
 
 int main(int argc, char **argv)

@@ -151,6 +151,27 @@ static void test_bodies_pass(void)
                     ==, 1);
 }
 
+/* A box on a box, on a smooth floor: the two rub on each other. */
+static void test_rough_bodies(void)
+{
+    TinkerRunOptions options = planned_options("auto", 0.01, 1e-9, 1);
+    static const struct {
+        double friction;
+        int told;
+    } cases[] = {{0.8, 0}, {0, 1}};
+    for (gsize i = 0; i < G_N_ELEMENTS(cases); i++) {
+        g_autofree char *blocks = g_strdup_printf(
+            "{'type': 'gravity'}, {'type': 'support', 'position': [0, -0.2], 'width': 40, 'static_friction': 0,"
+            "'dynamic_friction': 0}, {'type': 'box', 'width': 6, 'height': 0.2, 'position': [0, 0.1], "
+            "'static_friction': "
+            "%g, 'dynamic_friction': %g}, {'type': 'box', 'width': 0.6, 'height': 0.6, 'position': [0, 0.5]}",
+            cases[i].friction, cases[i].friction);
+        g_auto(Planned) planned = planned_new(blocks, &options);
+        g_assert_cmpint(planned_count_holding(planned.plan->left_out, "every solid side is smooth"), ==, cases[i].told);
+        g_assert_cmpint(planned_count_holding(planned.plan->left_out, "no block takes energy"), ==, cases[i].told);
+    }
+}
+
 /* Contact is modelled where a body could meet a solid side, and its forces only where something touches. That no
  * support has a solid side is not said of bodies that meet. */
 static void test_contact(void)
@@ -236,6 +257,7 @@ static void add_tests(void)
     g_test_add_func("/physics/plan/redundant", test_redundant);
     g_test_add_func("/physics/plan/straight-bar", test_straight_bar);
     g_test_add_func("/physics/plan/bare", test_bare);
+    g_test_add_func("/physics/plan/rough-bodies", test_rough_bodies);
     g_test_add_func("/physics/plan/contact", test_contact);
     g_test_add_func("/physics/plan/bodies-pass", test_bodies_pass);
     g_test_add_func("/physics/plan/rubbing-pin", test_rubbing_pin);

@@ -16,8 +16,6 @@ void tinker_contacts_list_gaps(TinkerContacts *contacts, gboolean meet);
 int32_t tinker_model_meeting_bodies(const TinkerModel *model);
 /* Whether they meet each other by events: where the scene, whatever part of it the model is, does not have too many. */
 gboolean tinker_model_bodies_meet(const TinkerModel *model);
-/* The surface between the two of a pair. */
-TinkerSurface tinker_contact_pair_surface(const TinkerContacts *contacts, const TinkerTouchingPair *pair);
 /* The entries of closed gap functions, for the state in the points. */
 void tinker_contacts_refresh_entries(TinkerContacts *contacts);
 

@@ -355,6 +355,9 @@ gboolean tinker_contacts_is_guided(const TinkerContacts *contacts, int32_t body,
  * places are measured from. 0 where no contact is closed. */
 double tinker_contacts_extent(const TinkerContacts *contacts);
 
+/* The surface between the two of a pair. */
+TinkerSurface tinker_contact_pair_surface(const TinkerContacts *contacts, const TinkerTouchingPair *pair);
+
 /* The surface between a body and a plate. */
 static inline TinkerSurface tinker_contact_surface(const TinkerContacts *contacts, int32_t body, int32_t plate)
 {

@@ -83,12 +83,27 @@ static int32_t count_shapes(const TinkerContacts *contacts)
     return count;
 }
 
+/* Whether it rubs on what has a friction of its own, or none that is given. */
+static gboolean may_rub(const TinkerSurface *surface)
+{
+    return surface->static_friction != 0 || surface->dynamic_friction != 0;
+}
+
+/* A body that lies on a top is as smooth as the smoother of the two; and bodies rub on each other. */
 gboolean plan_is_rough(const TinkerModel *model)
 {
     const TinkerContacts *contacts = model->contacts;
+    gboolean tops = FALSE, bodies = FALSE, pairs = FALSE;
     for (int32_t i = 0; contacts != NULL && i < contacts->plate_count; i++)
-        if (contacts->plates[i].surface.static_friction > 0) return TRUE;
-    return FALSE;
+        tops |= may_rub(&contacts->plates[i].surface);
+    for (int32_t body = 0; contacts != NULL && body < model->bodies; body++)
+        bodies |= tinker_contacts_may_touch(contacts, body) &&
+                  (!contacts->own_surfaces || may_rub(&contacts->surfaces[body]));
+    for (int32_t i = 0; contacts != NULL && i < contacts->pair_count; i++) {
+        const TinkerSurface between = tinker_contact_pair_surface(contacts, &contacts->pairs[i]);
+        pairs |= may_rub(&between);
+    }
+    return (tops && bodies) || pairs;
 }
 
 void plan_describe_contact(TinkerPlan *plan, TinkerModel *model, const TinkerRunOptions *options)

@@ -73,7 +73,16 @@ gboolean tinker_picture_or_text(const TinkerPictureArguments *arguments, const c
                                 gboolean *is_picture, GError **error)
 {
     static const char *const endings[] = {".png", ".svg", ".pdf", NULL};
+    static const char *const others[] = {".jpg", ".jpeg", ".gif", ".webp", ".bmp",
+                                         ".tif", ".tiff", ".eps", ".ps",   NULL};
     *is_picture = FALSE;
+    for (int i = 0; path != NULL && others[i] != NULL; i++) {
+        if (!tinker_path_has_ending(path, others[i])) continue;
+        g_set_error(error, TINKER_CLI_ERROR, TINKER_CLI_ERROR_USAGE,
+                    "--output \"%s\": no picture is made with this ending (.png, .svg or .pdf; any other is text)",
+                    path);
+        return FALSE;
+    }
     for (int i = 0; path != NULL && endings[i] != NULL; i++)
         *is_picture = *is_picture || tinker_path_has_ending(path, endings[i]);
     if (*is_picture && as != NULL) {

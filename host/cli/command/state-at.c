@@ -51,12 +51,19 @@ TinkerModelState *tinker_state_at(const TinkerOpenScene *open, const TinkerRunAr
     return g_steal_pointer(&job.state);
 }
 
+static gboolean is_listed(const GArray *blocks, TinkerBlockId block)
+{
+    for (guint i = 0; i < blocks->len; i++)
+        if (g_array_index(blocks, TinkerBlockId, i) == block) return TRUE;
+    return FALSE;
+}
+
 TinkerBlockId *tinker_blocks_named(TinkerScene *scene, char *const *names, GError **error)
 {
     g_autoptr(GArray) blocks = g_array_new(FALSE, FALSE, sizeof(TinkerBlockId));
     for (; *names != NULL; names++) {
         const TinkerBlockId block = tinker_scene_find_block(scene, *names);
-        g_array_append_val(blocks, block);
+        if (block >= 0 && !is_listed(blocks, block)) g_array_append_val(blocks, block);
         if (block >= 0) continue;
         g_set_error(error, TINKER_CLI_ERROR, TINKER_CLI_ERROR_USAGE, "--block \"%s\": the scene has no such block",
                     *names);

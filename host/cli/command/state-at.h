@@ -15,8 +15,8 @@ TinkerModelState *tinker_state_at(const TinkerOpenScene *open, const TinkerRunAr
 gboolean tinker_run_options_to(const TinkerOpenScene *open, const TinkerRunArguments *arguments, const char *option,
                                double time, TinkerRunOptions *options, GError **error);
 
-/* The blocks of these names (ended by NULL), ended by -1; TINKER_CLI_ERROR_USAGE for a name that the scene lacks.
- * (transfer full) */
+/* The blocks of these names (ended by NULL), each once, ended by -1; TINKER_CLI_ERROR_USAGE for a name that the scene
+ * lacks. (transfer full) */
 TinkerBlockId *tinker_blocks_named(TinkerScene *scene, char *const *names, GError **error);
 
 #endif

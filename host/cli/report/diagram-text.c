@@ -93,6 +93,7 @@ void tinker_diagram_write_text(const TinkerDiagram *diagram, TinkerScene *scene,
     }
     if (diagram->moves) add_row(&to, turns ? "= m a, I α" : "= m a", "", diagram->kinetic, diagram->turning, "");
     tinker_text_table_write(table, file);
+    if (diagram->forces->len == 0 && !diagram->moves) tinker_print_line(file, "  nothing acts on it");
     for (guint i = 0; i < diagram->cancelled->len; i++)
         tinker_print_line(file, "  %s acts between them: its forces cancel",
                           tinker_scene_block_name(scene, g_array_index(diagram->cancelled, TinkerBlockId, i)));

@@ -115,6 +115,19 @@ static gboolean write_text(const DiagramOptions *options, const Wish *wish, cons
     return tinker_output_close(&output, error);
 }
 
+/* Forces add up to m a of what moves alone: what holds a support is no force of the scene's. */
+static gboolean check_together(TinkerScene *scene, const TinkerBlockId *blocks, GError **error)
+{
+    for (const TinkerBlockId *each = blocks; blocks[1] >= 0 && *each >= 0; each++) {
+        if (tinker_block_class_moves(tinker_scene_block_class(scene, *each))) continue;
+        g_set_error(error, TINKER_CLI_ERROR, TINKER_CLI_ERROR_USAGE,
+                    "--block \"%s\": it cannot move, and has a diagram of its own alone (leave out the others, or it)",
+                    tinker_scene_block_name(scene, *each));
+        return FALSE;
+    }
+    return TRUE;
+}
+
 static gboolean write_diagram(const DiagramOptions *options, const TinkerOpenScene *open, GError **error)
 {
     const TinkerAskedOutput outputs[] = {{"--output", options->output}, {NULL, NULL}};
@@ -122,7 +135,7 @@ static gboolean write_diagram(const DiagramOptions *options, const TinkerOpenSce
     Wish wish;
     if (!read_wish(options, &wish, error) || !tinker_outputs_add(files, outputs, error)) return FALSE;
     g_autofree TinkerBlockId *blocks = tinker_blocks_named(open->scene, options->blocks, error);
-    if (blocks == NULL) return FALSE;
+    if (blocks == NULL || !check_together(open->scene, blocks, error)) return FALSE;
     g_autoptr(TinkerModelState) state = tinker_state_at(open, &options->run, "time", wish.time, error);
     if (state == NULL) return FALSE;
     g_autoptr(TinkerDiagram) diagram = tinker_diagram_new(open->scene, state, blocks, error);
