@@ -228,6 +228,29 @@ static void test_given_within_steps(void)
     }
 }
 
+/* A driven bar strikes a disc with the speed u where they touch, and throws it back at (1 + e) u: of what the drive
+ * gives it keeps half of 3 kg times that squared, and half of 3 kg u^2 (1 - e^2) is lost. */
+static void test_losses_by_drive(void)
+{
+    static const double restitutions[] = {1, 0.5, 0.1};
+    for (gsize i = 0; i < G_N_ELEMENTS(restitutions); i++) {
+        const double e = restitutions[i];
+        g_autoptr(PhysicsRun) run = physics_run(
+            &(PhysicsOptions){.duration = 0.25,
+                              .columns = "Disc 0.vx, Disc 0.vy, Scene.impact loss, Scene.supplied energy"},
+            "{'type': 'support', 'solid': false, 'position': [0, 0]}, {'type': 'bar', 'solid': true, 'length': 2, "
+            "'width': 0.1, "
+            "'position': [0, 0], 'static_friction': 0, 'dynamic_friction': 0}, {'type': 'pin', 'ends': ['Support 0', "
+            "'Bar 0']}, {'type': 'drive', 'ends': ['Bar 0', 'Support 0'], 'speed': 2}, {'type': 'disc', 'mass': 3, "
+            "'radius': 0.1, 'position': [0.8, 0.4], 'restitution': %g, 'static_friction': 0, 'dynamic_friction': 0}",
+            e);
+        const double speed = hypot(physics_last(run, 0), physics_last(run, 1)), u = speed / (1 + e);
+        g_assert_cmpfloat(speed, >, 1);
+        physics_assert_near("lost", physics_last(run, 2), 1.5 * u * u * (1 - e * e), 1e-8);
+        physics_assert_near("given", physics_last(run, 3), 1.5 * speed * speed + 1.5 * u * u * (1 - e * e), 1e-8);
+    }
+}
+
 static void assert_refused(const char *column, const char *says)
 {
     g_autoptr(TinkerScene) scene = physics_scene(
@@ -261,6 +284,7 @@ static void add_tests(void)
     g_test_add_func("/physics/implied/distance", test_distance);
     g_test_add_func("/physics/implied/energies-of-damped", test_energies_of_damped);
     g_test_add_func("/physics/implied/losses", test_losses);
+    g_test_add_func("/physics/implied/losses-by-drive", test_losses_by_drive);
     g_test_add_func("/physics/implied/given-beside-stored", test_given_beside_stored);
     g_test_add_func("/physics/implied/given-within-steps", test_given_within_steps);
     g_test_add_func("/physics/implied/refused", test_refused);

@@ -63,6 +63,14 @@ static void note_jolts(const TinkerContactChange *change, const double *impulses
     tinker_jolts_add_rows(run->jolts, model, run->state.t);
 }
 
+/* Where supports move these give what contacts do not take, and else drives, which hold their speed against a blow;
+ * without either it is rounding. */
+static TinkerBook book_of_rest(const TinkerModel *model)
+{
+    if (model->moving_supports > 0) return TINKER_BOOK_SUPPORT_MOTION;
+    return model->constraints.prescribed ? TINKER_BOOK_MOTORS : TINKER_BOOK_CONTACTS;
+}
+
 /* What contacts take goes into their book, the rest is by what moves. */
 gboolean tinker_change_push_all(TinkerContactChange *change, const double *impulses)
 {
@@ -85,7 +93,7 @@ gboolean tinker_change_push_all(TinkerContactChange *change, const double *impul
         work[TINKER_BOOK_CONTACTS] += taken;
         rest -= taken;
     }
-    work[model->moving_supports > 0 ? TINKER_BOOK_SUPPORT_MOTION : TINKER_BOOK_CONTACTS] += rest;
+    work[book_of_rest(model)] += rest;
     self->last_impact = self->run->state.t;
     return TRUE;
 }
