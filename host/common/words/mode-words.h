@@ -18,8 +18,8 @@ char *tinker_mode_caption(const TinkerModeAnalysis *analysis, const TinkerMode *
  * (transfer full) */
 char *tinker_mode_ratio(const TinkerModeAnalysis *analysis, const TinkerMode *mode, TinkerScene *scene);
 
-/* A sentence for each thing that is there and does not count: bodies that touch, joints that drive. The scene is that of
- * the analysis. (transfer full) */
+/* A sentence for each thing that is there and does not count: bodies that touch, joints that drive. The scene is that
+ * of the analysis. (transfer full) */
 GPtrArray *tinker_modes_left_out(const TinkerModeAnalysis *analysis, TinkerScene *scene);
 
 /* Why an analysis has no mode: nothing can move, or what holds it. The scene is that of the analysis. (transfer full)
