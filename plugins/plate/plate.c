@@ -100,6 +100,17 @@ static int crosses_itself(const TinkerPointList *corners)
     return 0;
 }
 
+static int lie_on_one_line(const TinkerPointList *corners)
+{
+    const int32_t n = corners->count;
+    for (int32_t i = 0; i < n; i++) {
+        if (cross(&corners->points[2 * i], &corners->points[2 * ((i + 1) % n)], &corners->points[2 * ((i + 2) % n)]) !=
+            0.0)
+            return 0;
+    }
+    return 1;
+}
+
 static TinkerStatus prepare(TinkerBatch *batch)
 {
     for (int32_t i = 0; i < batch->count; i++) {
@@ -108,10 +119,11 @@ static TinkerStatus prepare(TinkerBatch *batch)
             return tinker_fail(batch, i,
                                "corners are fewer than 3; an outline has at least 3, as [[0, 0], [1, 0], [0, 1]]");
         }
-        if (shape_of(corners).area == 0.0) {
+        const int is_flat = shape_of(corners).area == 0.0;
+        if (is_flat && lie_on_one_line(corners)) {
             return tinker_fail(batch, i, "its corners enclose no area; they must not all lie on one line");
         }
-        if (crosses_itself(corners)) {
+        if (is_flat || crosses_itself(corners)) {
             return tinker_fail(batch, i,
                                "its outline crosses or touches itself; give the corners in order round the outline");
         }

@@ -66,6 +66,7 @@ static void test_refusals(void)
     } cases[] = {{"[[0, 0], [1, 0]]", "fewer than 3"},
                  {"[[0, 0], [1, 1], [2, 2]]", "no area"},
                  {"[[0, 0], [1, 1], [1, 0], [0, 2]]", "crosses or touches itself"},
+                 {"[[0, 0], [1, 1], [1, 0], [0, 1]]", "crosses or touches itself"},
                  {"[[0, 0], [2, 0], [2, 1], [1, 0], [0, 1]]", "crosses or touches itself"}};
     for (gsize i = 0; i < G_N_ELEMENTS(cases); i++) {
         g_autoptr(PhysicsRun) run =
