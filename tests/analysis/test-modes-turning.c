@@ -177,7 +177,7 @@ static void test_pushed_column(void)
         g_autofree char *blocks = column_pushed_by(force);
         g_autoptr(ModesFixture) fixture = modes_about_rest(blocks);
         /* (2 - P - m0 w)(1 - m2 w) - (P - 1 - m1 w)(-1 - m1 w) */
-        const double b = -m[0] - (2 - force) * m[2] + (force - 1) * m[1] - m[1], c = 2 - force + force - 1;
+        const double b = -m[0] - (2 - force) * m[2] + (force - 1) * m[1] - m[1], c = 1;
         const double under = b * b - 4 * a * c, growth = tinker_modes_growth(fixture->analysis->modes);
         if (under > 0) {
             const double far = (-b + sqrt(under)) / (2 * a);

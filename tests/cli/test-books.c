@@ -342,6 +342,8 @@ static void test_diagram(CliFixture *fixture, gconstpointer data)
     cli_assert_holds(held->error, "\"Pivot\": it cannot move, and has a diagram of its own alone");
     g_autoptr(TestProgram) other = cli_run_badly(fixture, "diagram @scene.json --block Bob -o @d.jpg", 2);
     cli_assert_holds(other->error, "no picture is made with this ending");
+    g_autoptr(TestProgram) equations = cli_run_badly(fixture, "equations @scene.json -o @d.jpg", 2);
+    cli_assert_holds(equations->error, "equations are written as text, not drawn");
     g_autoptr(TestProgram) field = cli_run_well(fixture, "diagram @scene.json --block Gravity");
     cli_assert_holds(field->output, "nothing acts on it");
 }

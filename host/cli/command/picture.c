@@ -69,22 +69,32 @@ gboolean tinker_overlay_arguments_marks(const TinkerOverlayArguments *arguments,
     return FALSE;
 }
 
+static gboolean has_ending_of(const char *path, const char *const *endings)
+{
+    for (; path != NULL && *endings != NULL; endings++)
+        if (tinker_path_has_ending(path, *endings)) return TRUE;
+    return FALSE;
+}
+
+static const char *const drawn_endings[] = {".png", ".svg", ".pdf", NULL};
+
+gboolean tinker_path_is_picture(const char *path)
+{
+    static const char *const others[] = {".jpg", ".jpeg", ".gif", ".webp", ".bmp",
+                                         ".tif", ".tiff", ".eps", ".ps",   NULL};
+    return has_ending_of(path, drawn_endings) || has_ending_of(path, others);
+}
+
 gboolean tinker_picture_or_text(const TinkerPictureArguments *arguments, const char *path, const char *as,
                                 gboolean *is_picture, GError **error)
 {
-    static const char *const endings[] = {".png", ".svg", ".pdf", NULL};
-    static const char *const others[] = {".jpg", ".jpeg", ".gif", ".webp", ".bmp",
-                                         ".tif", ".tiff", ".eps", ".ps",   NULL};
-    *is_picture = FALSE;
-    for (int i = 0; path != NULL && others[i] != NULL; i++) {
-        if (!tinker_path_has_ending(path, others[i])) continue;
+    *is_picture = has_ending_of(path, drawn_endings);
+    if (!*is_picture && tinker_path_is_picture(path)) {
         g_set_error(error, TINKER_CLI_ERROR, TINKER_CLI_ERROR_USAGE,
                     "--output \"%s\": no picture is made with this ending (.png, .svg or .pdf; any other is text)",
                     path);
         return FALSE;
     }
-    for (int i = 0; path != NULL && endings[i] != NULL; i++)
-        *is_picture = *is_picture || tinker_path_has_ending(path, endings[i]);
     if (*is_picture && as != NULL) {
         g_set_error(error, TINKER_CLI_ERROR, TINKER_CLI_ERROR_USAGE,
                     "--as %s: \"%s\" would be a picture by its ending (leave out --as, or choose another ending)", as,

@@ -68,6 +68,9 @@ gboolean tinker_overlay_arguments_marks(const TinkerOverlayArguments *arguments,
 gboolean tinker_picture_arguments_read(const TinkerPictureArguments *arguments, int *width, int *height,
                                        const TinkerTheme **theme, GError **error);
 
+/* Whether a file (NULL: none) would be a picture by its ending, whether one is drawn with that or not. */
+gboolean tinker_path_is_picture(const char *path);
+
 /* Of a verb that writes texts and pictures: whether the output's ending is that of a picture. Errors,
  * TINKER_CLI_ERROR_USAGE: `as`, the text that is asked for (NULL: none is), does not go with it; or size and theme are
  * given and it is no picture. */

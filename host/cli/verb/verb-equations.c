@@ -87,10 +87,7 @@ static char *matrix_text(const TinkerEquations *equations, const TinkerEquations
 /* A browser and LaTeX make pictures of equations. */
 static gboolean is_no_picture(const char *path, GError **error)
 {
-    static const TinkerPictureArguments none = {0};
-    gboolean is_picture;
-    if (!tinker_picture_or_text(&none, path, NULL, &is_picture, error)) return FALSE;
-    if (!is_picture) return TRUE;
+    if (!tinker_path_is_picture(path)) return TRUE;
     g_set_error(error, TINKER_CLI_ERROR, TINKER_CLI_ERROR_USAGE,
                 "--output \"%s\": equations are written as text, not drawn (as in --as mathml -o FILE.html, --as latex "
                 "-o FILE.tex)",

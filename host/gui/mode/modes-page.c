@@ -212,7 +212,7 @@ static void show_drives(TinkerModesPage *page, const TinkerModesResult *result)
     gtk_widget_queue_draw(page->curve);
 }
 
-/* Adds what does not count, a sentence a line. (transfer full) */
+/* The note, and what does not count, a sentence a line. (transfer full) */
 static char *with_left_out(const char *note, const TinkerModesResult *result)
 {
     GString *text = g_string_new(note);
