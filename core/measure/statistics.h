@@ -28,6 +28,9 @@ typedef enum {
     TINKER_SWINGS_UNDEFINED  /* the curve is not defined everywhere: nothing is known of it */
 } TinkerSwings;
 
+/* That as words, without a stop; "" of one that has. */
+const char *tinker_swings_why(TinkerSwings swings);
+
 typedef struct {
     TinkerStatistic mean, rms, least, greatest;
     TinkerStatistic amplitude; /* half of greatest less least */

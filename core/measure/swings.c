@@ -2,6 +2,7 @@
  * extrema come at equal times, and whose ways go one way, less or more, and damping only where they go by the same
  * share each time. What is put together of several swings has more extrema in a period: it has one where all of them
  * come again, at equal times and at the same values. */
+#include <glib/gi18n-lib.h>
 #include <math.h>
 
 #include "measure/statistics-private.h"
@@ -10,11 +11,34 @@
 #define EVEN 0.1
 /* How far the logarithms of ways may lie off a line, root mean square, and still fall by a share. */
 #define IN_LINE 0.1
+/* Of how far the logarithms of ways lie off a line: ways that lie that much nearer to a line of their own, in units of
+ * their mean, fall by an amount, as dry friction has it, and by no share. */
+#define OF_AMOUNTS 0.1
 /* Of the longest way: how far ways may go back where all others become less, or more. */
 #define ONE_WAY 0.01
 /* Of the range and of the period: how far a pattern of extrema may differ from the one before. */
 #define AGAIN          1e-3
 #define MOST_IN_PERIOD 64 /* extrema */
+
+const char *tinker_swings_why(TinkerSwings swings)
+{
+    switch (swings) {
+    case TINKER_SWINGS_TOO_FEW:
+        return _("it does not swing to and fro often enough");
+    case TINKER_SWINGS_UNEVEN:
+        return _("its swings do not take equally long");
+    case TINKER_SWINGS_UNLIKE:
+        return _("its swings become larger and smaller in turn, and do not come again");
+    case TINKER_SWINGS_OFF_SHARE:
+        return _("its swings do not shrink by the same share each time");
+    case TINKER_SWINGS_COARSE:
+        return _("too few samples in a swing");
+    case TINKER_SWINGS_UNDEFINED:
+        return _("it is not defined everywhere");
+    default:
+        return "";
+    }
+}
 
 static const TinkerExtremum *at(const GArray *extrema, guint i)
 {
@@ -98,6 +122,18 @@ static TinkerStatistic half_decrement(const GArray *extrema, double *off_line)
     const double weight = (double)ways * ((double)ways * ways - 1) / 12;
     const double early = slope_of(logarithms, half), late = slope_of(logarithms + ways - half, half);
     return (TinkerStatistic){-slope, fmax(sqrt(squares / (ways - 2) / weight), fabs(late - early))};
+}
+
+static gboolean falls_by_amount(const GArray *extrema, double off_line)
+{
+    const guint ways = extrema->len - 1;
+    g_autofree double *lengths = g_new(double, ways);
+    double squares = 0, sum = 0;
+    if (ways < 3) return FALSE;
+    for (guint i = 0; i < ways; i++)
+        sum += lengths[i] = tinker_extremum_way(extrema, i);
+    farthest(lengths, ways, slope_of(lengths, ways), &squares);
+    return sqrt(squares / (ways - 2)) < OF_AMOUNTS * off_line * sum / ways;
 }
 
 /* A swing of amplitude A and frequency w that is off by a swing of amplitude e has its extrema off by e / (w A) in
@@ -195,7 +231,7 @@ static void find_damping(const GArray *extrema, double band, TinkerStatistics *r
     double off_line = 0;
     TinkerStatistic fall = half_decrement(extrema, &off_line);
     if (!isfinite(fall.value)) result->no_damping = TINKER_SWINGS_TOO_FEW;
-    if (off_line > IN_LINE) result->no_damping = TINKER_SWINGS_OFF_SHARE;
+    if (off_line > IN_LINE || falls_by_amount(extrema, off_line)) result->no_damping = TINKER_SWINGS_OFF_SHARE;
     if (result->no_damping != TINKER_SWINGS_GOOD) return;
     fall.error += half_decrement_band(extrema, band);
     const double d = 2 * fall.value, whole = 4 * G_PI * G_PI + d * d;

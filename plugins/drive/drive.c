@@ -13,7 +13,7 @@ enum {
     COLUMN_PHASE,
 };
 
-enum { QUANTITY_TORQUE, QUANTITY_POWER };
+enum { QUANTITY_TORQUE, QUANTITY_POWER, QUANTITY_ANGLE, QUANTITY_RATE };
 
 #define RADIUS 1.4 /* of what is drawn, in symbols */
 
@@ -77,9 +77,20 @@ static int32_t hit(const TinkerInstance *instance, double x, double y, double re
 
 /* Graphs */
 
+static TinkerStatus turned(TinkerBatch *batch, const TinkerGraphInput *input, int32_t quantity, double *result)
+{
+    if (input->poses == NULL) return tinker_fail(batch, 0, "angles are not known yet");
+    for (int32_t i = 0; i < batch->count; i++) {
+        const TinkerPose *first = &input->poses[2 * i], *second = &input->poses[2 * i + 1];
+        result[i] = quantity == QUANTITY_ANGLE ? first->angle - second->angle : first->rate - second->rate;
+    }
+    return TINKER_OK;
+}
+
 static TinkerStatus values(TinkerBatch *batch, const TinkerGraphInput *input, int32_t quantity, double *result)
 {
     const double *speed = tinker_column(batch, COLUMN_SPEED), *slope = tinker_column(batch, COLUMN_WAVEFORM + 1);
+    if (quantity == QUANTITY_ANGLE || quantity == QUANTITY_RATE) return turned(batch, input, quantity, result);
     if (input->multipliers == NULL) return tinker_fail(batch, 0, "the drive's torque is not known yet");
     for (int32_t i = 0; i < batch->count; i++) {
         const double torque = input->multipliers[i];
@@ -116,6 +127,9 @@ static const TinkerLawEquation law[] = {
 static const TinkerQuantityType quantities[] = {
     TINKER_QUANTITY(TINKER_RECORDED, "torque", "Torque", "On what its first end is on", TINKER_DIMENSION_TORQUE),
     TINKER_QUANTITY(0, "power", "Power", "Power that it gives", TINKER_DIMENSION_POWER),
+    TINKER_QUANTITY(0, "angle", "Angle", "From what its second end is on to what its first is on, counting turns",
+                    TINKER_DIMENSION_ANGLE),
+    TINKER_QUANTITY(0, "angle rate", "Angle Rate", "How fast the angle grows", TINKER_DIMENSION_ANGULAR_FREQUENCY),
 };
 
 static const TinkerConstraint constraint = {.struct_size = sizeof(TinkerConstraint),

@@ -35,6 +35,17 @@
           "{\"type\": \"rod\", \"name\": \"Rod\", \"ends\": [\"A\", \"B\"]},"                                          \
           "{\"type\": \"impulse\", \"name\": \"Blow\", \"ends\": [\"A\"], \"impulse\": 4, \"time\": 0.25}")
 
+/* A blow on the very bearing of a box that is carried along at 0.3 m/s: what the pin gives it, its motion does not
+ * show.
+ */
+#define CARRIED                                                                                                        \
+    SCENE("{\"type\": \"support\", \"name\": \"S\", \"solid\": false},"                                                \
+          "{\"type\": \"support-motion\", \"ends\": [\"S\"], \"waveform\": {\"expression\": \"0.3*t\"}},"              \
+          "{\"type\": \"box\", \"name\": \"Box\", \"position\": [0, -1], \"height\": 2},"                              \
+          "{\"type\": \"pin\", \"name\": \"Pin\", \"ends\": [\"S\", {\"block\": \"Box\", \"at\": [0, 1]}]},"           \
+          "{\"type\": \"impulse\", \"name\": \"Blow\", \"ends\": [{\"block\": \"Box\", \"at\": [0, 1]}], "             \
+          "\"impulse\": 4, \"time\": 0.25}")
+
 /* Dropped by 0.8 m with a rod askew between them: A lands at 0.4 s with 4 m/s and leaves with 2 m/s. */
 #define DUMBBELL                                                                                                       \
     SCENE("{\"type\": \"support\", \"name\": \"Floor\", \"height\": 0, \"width\": 9, \"restitution\": 0.5,"            \
@@ -162,6 +173,37 @@ static void test_bounce(CliFixture *fixture, gconstpointer data)
     cJSON_Delete(root);
 }
 
+/* What happens at an instant is of the interval that ends there, as is the state behind it. */
+static void test_ends_at_impact(CliFixture *fixture, gconstpointer data)
+{
+    static const Expected lands[] = {
+        {"impacts/0/time", 0.4},
+        {"impacts/0/impulse/1", 18},
+        {"impacts/0/work", -18},
+        {"energy/kinetic/1", 6},
+        {"momentum/impulses/Gravity/1", -12},
+        {"momentum/impulses/Floor/1", 18},
+        {"energy/work/Floor", -18},
+        {"momentum/residual", 0},
+        {"energy/residual", 0},
+    };
+    cJSON *root = json_of(fixture, DROPPED, "books @scene.json --to 0.4 --as json");
+    assert_numbers(root, lands, G_N_ELEMENTS(lands));
+    cJSON_Delete(root);
+    static const Expected leaves[] = {
+        {"energy/kinetic/0", 6}, {"momentum/momentum/0/1", 6}, {"momentum/momentum/1/1", 3}, {"momentum/residual", 0}};
+    root = json_of(fixture, DROPPED, "books @scene.json --from 0.4 --to 0.5 --as json");
+    assert_numbers(root, leaves, G_N_ELEMENTS(leaves));
+    cJSON_Delete(root);
+    static const Expected struck[] = {{"momentum/impulses/Blow/0", 4},
+                                      {"energy/work/Blow", 2},
+                                      {"momentum/momentum/1/0", 4},
+                                      {"momentum/residual", 0}};
+    root = json_of(fixture, STRUCK, "books @scene.json --to 0.25 --as json");
+    assert_numbers(root, struck, G_N_ELEMENTS(struck));
+    cJSON_Delete(root);
+}
+
 /* What a joint answers to a blow is the joint's. */
 static void test_struck(CliFixture *fixture, gconstpointer data)
 {
@@ -182,6 +224,17 @@ static void test_struck(CliFixture *fixture, gconstpointer data)
 
 /* With p from the floor and r (1, 1) from the rod: A changes by (-r, p - r), B by (r, r), and along the rod by the
  * same: r = p / 4, and 3 p / 4 = 6. */
+static void test_blow_that_is_held(CliFixture *fixture, gconstpointer data)
+{
+    static const Expected expected[] = {{"impacts/0/work", 1.2},   {"impacts/0/impulse/0", 4},
+                                        {"impacts/1/work", -1.2},  {"impacts/1/impulse/0", -4},
+                                        {"energy/work/Blow", 1.2}, {"momentum/impulses/Blow/0", 4},
+                                        {"momentum/residual", 0},  {"energy/residual", 0}};
+    cJSON *root = json_of(fixture, CARRIED, "books @scene.json --to 0.3 --as json");
+    assert_numbers(root, expected, G_N_ELEMENTS(expected));
+    cJSON_Delete(root);
+}
+
 static void test_dumbbell(CliFixture *fixture, gconstpointer data)
 {
     static const Expected expected[] = {
@@ -353,7 +406,9 @@ int main(int argc, char **argv)
     g_test_init(&argc, &argv, NULL);
     cli_test_add("/cli/books/throw", test_throw);
     cli_test_add("/cli/books/bounce", test_bounce);
+    cli_test_add("/cli/books/ends-at-impact", test_ends_at_impact);
     cli_test_add("/cli/books/struck", test_struck);
+    cli_test_add("/cli/books/blow-that-is-held", test_blow_that_is_held);
     cli_test_add("/cli/books/bumper", test_bumper);
     cli_test_add("/cli/books/dumbbell", test_dumbbell);
     cli_test_add("/cli/books/pulled-less", test_pulled_less);

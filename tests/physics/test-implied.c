@@ -116,6 +116,34 @@ static void test_band_of_angle(void)
     g_assert_cmpfloat(bands[0], <, 1e-3);
 }
 
+/* Joints of a bar that turns at 2 rad/s about a support that is turned at 0.5 rad/s and stands askew by 0.3 rad, and of
+ * a disc that a drive turns on it at 5 rad/s: the angle is that between what the ends are on, and counts turns. */
+static void test_turning_joints(void)
+{
+    g_autoptr(PhysicsRun) run = physics_run(
+        &(PhysicsOptions){.duration = 4,
+                          .interval = 0.37,
+                          .columns = "Pin.angle, Pin.angle rate, Hub.angle, Hub.angle rate, Drive.angle, Drive.angle "
+                                     "rate, Coil.angle rate, Weld.angle, Weld.angle rate"},
+        "{'type': 'support', 'name': 'S', 'solid': false, 'orientation': 0.3},"
+        "{'type': 'support-turn', 'ends': ['S'], 'waveform': {'expression': '0.5*t'}},"
+        "{'type': 'bar', 'name': 'Bar', 'position': [0, 0], 'length': 2, 'orientation': 0.1, 'angular_velocity': 2},"
+        "{'type': 'pin', 'name': 'Pin', 'ends': ['S', 'Bar']},"
+        "{'type': 'disc', 'name': 'Disc', 'position': [0, 0], 'angular_velocity': 7},"
+        "{'type': 'pin', 'name': 'Hub', 'ends': ['Bar', 'Disc']},"
+        "{'type': 'drive', 'name': 'Drive', 'ends': ['Disc', 'Bar'], 'speed': 5},"
+        "{'type': 'torsional-spring', 'name': 'Coil', 'ends': ['S', 'Bar'], 'stiffness': 0},"
+        "{'type': 'disc', 'name': 'Tip', 'radius': 0.1, 'orientation': 1, 'angular_velocity': 2, 'position': "
+        "[0.9950041652780258, 0.09983341664682815], 'velocity': [-0.1996668332936563, 1.9900083305560516]},"
+        "{'type': 'weld', 'name': 'Weld', 'ends': [{'block': 'Bar', 'at': [1, 0]}, 'Tip']}");
+    for (gsize i = 0; i < physics_samples(run); i++) {
+        const double t = physics_time(run, i);
+        const double expected[] = {0.1 - 0.3 + 1.5 * t, 1.5, -0.1 + 5 * t, 5, -0.1 + 5 * t, 5, 1.5, 0.9, 0};
+        for (gsize c = 0; c < G_N_ELEMENTS(expected); c++)
+            physics_assert_near("turned", physics_value(run, i, c), expected[c], 1e-8);
+    }
+}
+
 static double distance(double t, const void *data)
 {
     return hypot(3 + 0.5 * t, 4 - t);
@@ -280,6 +308,7 @@ static void add_tests(void)
     g_test_add_func("/physics/implied/path-of-throw", test_path_of_throw);
     g_test_add_func("/physics/implied/path-of-what-stands", test_path_of_what_stands);
     g_test_add_func("/physics/implied/turning-rod", test_turning_rod);
+    g_test_add_func("/physics/implied/turning-joints", test_turning_joints);
     g_test_add_func("/physics/implied/band-of-angle", test_band_of_angle);
     g_test_add_func("/physics/implied/distance", test_distance);
     g_test_add_func("/physics/implied/energies-of-damped", test_energies_of_damped);

@@ -139,6 +139,21 @@ static void test_wheel_under_a_rope(void)
     }
 }
 
+/* A gear ties angles alone, which a weld, that holds places as well, does not. */
+static void test_gears(void)
+{
+    static const char *const ties[] = {"gear", "weld"};
+    TinkerRunOptions options = planned_options("auto", 0.01, 1e-9, 1);
+    for (gsize i = 0; i < G_N_ELEMENTS(ties); i++) {
+        g_autofree char *blocks = g_strdup_printf("{'type': 'support'}, {'type': 'disc', 'position': [0, 0]},"
+                                                  "{'type': 'pin', 'ends': ['Support 0', 'Disc 0']},"
+                                                  "{'type': '%s', 'name': 'Tie', 'ends': ['Support 0', 'Disc 0']}",
+                                                  ties[i]);
+        g_auto(Planned) planned = planned_new(blocks, &options);
+        g_assert_cmpint(planned_count_holding(planned.plan->left_out, "forces on bearings by Tie"), ==, i == 0);
+    }
+}
+
 /* Of two bodies at least it is told that nothing holds them apart, whether they could meet or not. */
 static void test_bodies_pass(void)
 {
@@ -252,6 +267,7 @@ static void test_refused(void)
 
 static void add_tests(void)
 {
+    g_test_add_func("/physics/plan/gears", test_gears);
     g_test_add_func("/physics/plan/islands", test_islands);
     g_test_add_func("/physics/plan/level", test_level);
     g_test_add_func("/physics/plan/redundant", test_redundant);

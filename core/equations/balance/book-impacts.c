@@ -60,6 +60,12 @@ static void add_impact(TinkerBookKeeper *keeper, const TinkerBookBody *body, con
 /* Of the greatest momenta, linear and angular, of the run. */
 #define ROUNDING 1e-12
 
+static gboolean is_within(const TinkerJolt *jolt, const TinkerBookBody *body, double since, double time)
+{
+    return jolt->on == body->block && jolt->time >= since * (1 - SAME_INSTANT) &&
+           jolt->time <= time * (1 + SAME_INSTANT);
+}
+
 /* Each block's share of what a body was given, and what is left of that by who is named in the event. */
 static void add_impacts(TinkerBookKeeper *keeper, const TinkerBookBody *body, const TinkerBodyState *state,
                         double since, double time)
@@ -71,9 +77,7 @@ static void add_impacts(TinkerBookKeeper *keeper, const TinkerBookBody *body, co
     memcpy(left, given, sizeof left);
     for (guint i = 0; i < keeper->jolts->len; i++) {
         const TinkerJolt *jolt = &g_array_index(keeper->jolts, TinkerJolt, i);
-        if (jolt->on != body->block || jolt->time < since * (1 - SAME_INSTANT) ||
-            jolt->time > time * (1 + SAME_INSTANT))
-            continue;
+        if (!is_within(jolt, body, since, time)) continue;
         const double share[] = {jolt->impulse[0], jolt->impulse[1], body->inertia > 0 ? jolt->spin : 0};
         add_impact(keeper, body, state, jolt->time, jolt->by, share);
         moved = fmax(moved, hypot(share[0], share[1]));
@@ -83,6 +87,20 @@ static void add_impacts(TinkerBookKeeper *keeper, const TinkerBookBody *body, co
     }
     if (hypot(left[0], left[1]) <= ALL_TOLD * moved && fabs(left[2]) <= ALL_TOLD * turned) return;
     add_impact(keeper, body, state, time, struck_by(keeper, body->block, since, time), left);
+}
+
+/* Whether a body was given something: what hold against each other, as a blow on a bearing and the bearing, leave its
+ * velocity as it was. */
+static gboolean is_jolted(const TinkerBookKeeper *keeper, const TinkerBookBody *body, double since, double time)
+{
+    for (guint i = 0; i < keeper->jolts->len; i++) {
+        const TinkerJolt *jolt = &g_array_index(keeper->jolts, TinkerJolt, i);
+        if (is_within(jolt, body, since, time) &&
+            (hypot(jolt->impulse[0], jolt->impulse[1]) > ROUNDING / ALL_TOLD * keeper->greatest[1] ||
+             fabs(jolt->spin) > ROUNDING / ALL_TOLD * keeper->greatest[2]))
+            return TRUE;
+    }
+    return FALSE;
 }
 
 /* Rounding and the short time before the instant are no jump. */
@@ -104,7 +122,7 @@ void tinker_book_look_for_jumps(TinkerBookKeeper *keeper, const TinkerModelState
         const double speed[] = {now->at.vx, now->at.vy, now->rate};
         if (isinf(since))
             memcpy(body->speed, speed, sizeof speed);
-        else if (jumps(speed, body->speed))
+        else if (jumps(speed, body->speed) || is_jolted(keeper, body, since, state->time))
             add_impacts(keeper, body, now, since, state->time);
     }
 }

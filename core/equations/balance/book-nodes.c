@@ -33,7 +33,7 @@ GArray *tinker_book_panels(double from, double to, const GArray *cuts, int panel
     for (guint i = 0; i <= cuts->len; i++) {
         const TinkerBookCut cut = i < cuts->len ? g_array_index(cuts, TinkerBookCut, i) : (TinkerBookCut){to, to};
         const double whole = cut.first - begin;
-        const int count = MAX(1, (int)ceil(panels * whole / (to - from)));
+        const int count = (int)ceil(panels * whole / (to - from)); /* none behind a cut at the end */
         for (int k = 0; k < count; k++) {
             const TinkerBookPanel panel = {
                 .from = begin + whole * k / count, .to = begin + whole * (k + 1) / count, .piece = i};
@@ -83,7 +83,7 @@ GArray *tinker_book_nodes(double from, double to, const GArray *panels, const GA
         if (i == cuts->len) break;
         const TinkerBookCut cut = g_array_index(cuts, TinkerBookCut, i);
         if (!jump) continue;
-        add(nodes, cut.first - BEFORE * DBL_EPSILON * fabs(cut.first), 0, TINKER_NODE_BEFORE);
+        add(nodes, fmax(from, cut.first - BEFORE * DBL_EPSILON * fabs(cut.first)), 0, TINKER_NODE_BEFORE);
         add(nodes, cut.last, 0, TINKER_NODE_AFTER)->since = cut.first;
     }
     add(nodes, to, 0, TINKER_NODE_END);

@@ -112,7 +112,8 @@ static gint by_value(gconstpointer a, gconstpointer b)
     return (first > second) - (first < second);
 }
 
-/* Every instant within the interval at which a force may jump: breaks of waveforms and laws, events. Element:
+/* Every instant at which a force may jump, behind the start of the interval up to its end: breaks of waveforms and
+ * laws, events. What happens at the end itself is of the interval, whose last state is the one behind it. Element:
  * TinkerBookCut. (transfer full) */
 static GArray *cuts_of(TinkerScene *scene, const TinkerBooks *books, const GPtrArray *instants, GError **error)
 {
@@ -129,7 +130,7 @@ static GArray *cuts_of(TinkerScene *scene, const TinkerBooks *books, const GPtrA
     GArray *kept = g_array_new(FALSE, FALSE, sizeof(TinkerBookCut));
     for (guint i = 0; i < cuts->len; i++) {
         const double time = g_array_index(cuts, double, i);
-        if (time - books->from <= least || books->to - time <= least) continue;
+        if (time <= books->from || time > books->to) continue;
         TinkerBookCut *last = kept->len > 0 ? &g_array_index(kept, TinkerBookCut, kept->len - 1) : NULL;
         if (last != NULL && time - last->first <= least)
             last->last = time;

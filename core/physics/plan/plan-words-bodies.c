@@ -77,6 +77,19 @@ static void describe_wheels(TinkerPlan *plan, const TinkerModel *model)
              tinker_scene_block_name(model->scene, wheel->over), tinker_scene_block_name(model->scene, wheel->body));
 }
 
+/* Joints of angles alone, as gears: what wheels press on each other with would turn up in their bearings. */
+static void describe_gears(TinkerPlan *plan, const TinkerModel *model)
+{
+    for (guint i = 0; i < model->batches->len; i++) {
+        const TinkerBlockBatch *batch = g_ptr_array_index(model->batches, i);
+        const TinkerPhysics *physics = batch->block_class->physics;
+        if (batch->count == 0 || physics == NULL || physics->constraint == NULL) continue;
+        if (physics->constraint->turning == NULL || physics->constraint->joint != 0) continue;
+        plan_say(plan->left_out, _("forces on bearings by %s: it ties angles alone"),
+                 tinker_scene_block_name(model->scene, batch->ids[0]));
+    }
+}
+
 void plan_describe_bodies(TinkerPlan *plan, const TinkerModel *model, const TinkerRunOptions *options)
 {
     char text[128];
@@ -105,4 +118,5 @@ void plan_describe_bodies(TinkerPlan *plan, const TinkerModel *model, const Tink
     if (model->contacts != NULL && model->contacts->pin_count > 0)
         plan_say(plan->left_out, _("friction of pins in blows: these pass a pin as if it were smooth"));
     describe_wheels(plan, model);
+    describe_gears(plan, model);
 }

@@ -11,7 +11,7 @@ typedef struct _TinkerImplied TinkerImplied;
 TinkerImplied *tinker_implied_new(TinkerModel *model, const GArray *columns);
 void tinker_implied_free(TinkerImplied *implied);
 
-/* The values for the state in the model's points, by column. */
-TinkerStatus tinker_implied_values(const TinkerImplied *implied, double *values);
+/* The values for a state that is in the model's points, by column. */
+TinkerStatus tinker_implied_values(const TinkerImplied *implied, const double *q, const double *v, double *values);
 
 #endif

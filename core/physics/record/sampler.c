@@ -275,7 +275,7 @@ TinkerStatus tinker_sampler_values(TinkerSampler *sampler, double t, const doubl
     TinkerModel *model = sampler->model;
     if (sampler->wanted->len == 0 && sampler->implied == NULL) return TINKER_OK;
     TinkerStatus status = accelerations_at(sampler, t, q, v);
-    if (status == TINKER_OK && sampler->implied != NULL) status = tinker_implied_values(sampler->implied, values);
+    if (status == TINKER_OK && sampler->implied != NULL) status = tinker_implied_values(sampler->implied, q, v, values);
     TinkerBlockBatch *last = NULL;
     TinkerBatch view = {0};
     TinkerGraphInput input = {0};

@@ -224,6 +224,14 @@ gboolean tinker_block_class_speaks_of_angles(const TinkerBlockClass *block_class
            (physics->force_element != NULL && physics->force_element->angles != 0);
 }
 
+gboolean tinker_block_class_is_about_turning(const TinkerBlockClass *block_class)
+{
+    const TinkerPhysics *physics = block_class->physics;
+    if (physics == NULL || block_class->type->least_ends != 2 || block_class->type->most_ends != 2) return FALSE;
+    return (physics->constraint != NULL && (physics->constraint->joint == 1 || physics->constraint->coincident != 0)) ||
+           (physics->force_element != NULL && physics->force_element->torsion != NULL);
+}
+
 gboolean tinker_block_class_is_wound(const TinkerBlockClass *block_class)
 {
     const TinkerPhysics *physics = block_class->physics;

@@ -57,6 +57,10 @@ gboolean tinker_block_class_has_angle(const TinkerBlockClass *block_class);
 /* Whether its role asks for the angles of what its ends are on. */
 gboolean tinker_block_class_speaks_of_angles(const TinkerBlockClass *block_class);
 
+/* Whether the way between its two ends says nothing of it, but how these are turned against each other does: a joint
+ * that holds them at one place, or torques between them. */
+gboolean tinker_block_class_is_about_turning(const TinkerBlockClass *block_class);
+
 /* Whether its length is wound on a body, as a cord's: it counts from how that is turned at the start, and is not the
  * distance between the ends. That is a constraint of one row and two ends with `angles`, a radius and a length. */
 gboolean tinker_block_class_is_wound(const TinkerBlockClass *block_class);

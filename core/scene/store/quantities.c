@@ -73,6 +73,14 @@ static gboolean is_implied(const TinkerBlockClass *block_class, int32_t number)
     return has_two_ends(block_class);
 }
 
+static TinkerQuantityType implied_type(const TinkerBlockClass *block_class, int32_t number)
+{
+    TinkerQuantityType type = implied[number - TINKER_IMPLIED_LENGTH];
+    if (number == TINKER_IMPLIED_ANGLE && tinker_block_class_is_about_turning(block_class))
+        type.description = "From what its first end is on to what its second is on, counting turns";
+    return type;
+}
+
 char *tinker_quantity_distance_to(const char *other)
 {
     return g_strconcat(DISTANCE_TO, other, NULL);
@@ -114,9 +122,9 @@ int32_t tinker_scene_find_quantity(const TinkerScene *scene, TinkerBlockId block
 TinkerQuantityType tinker_scene_quantity_type(const TinkerScene *scene, TinkerBlockId block, int32_t number)
 {
     if (block == TINKER_NO_BLOCK) return of_scene[number];
-    if (number < TINKER_IMPLIED_LENGTH) return tinker_scene_block_class(scene, block)->quantities[number];
-    const int32_t place = number - TINKER_IMPLIED_LENGTH;
-    if (place < (int32_t)G_N_ELEMENTS(implied)) return implied[place];
+    const TinkerBlockClass *block_class = tinker_scene_block_class(scene, block);
+    if (number < TINKER_IMPLIED_LENGTH) return block_class->quantities[number];
+    if (number - TINKER_IMPLIED_LENGTH < (int32_t)G_N_ELEMENTS(implied)) return implied_type(block_class, number);
     const char *other = tinker_scene_block_name(scene, tinker_quantity_other(number));
     g_autofree char *id = tinker_quantity_distance_to(other), *title = g_strconcat(TINKER_DISTANCE_TITLE, other, NULL);
     return (TinkerQuantityType)TINKER_QUANTITY(0, g_intern_string(id), g_intern_string(title),
@@ -130,10 +138,11 @@ GArray *tinker_class_quantities(const TinkerBlockClass *block_class)
                         TINKER_DIMENSION_LENGTH);
     GArray *types = g_array_new(FALSE, FALSE, sizeof(TinkerQuantityType));
     g_array_append_vals(types, block_class->quantities, (guint)block_class->quantity_count);
-    for (int32_t i = 0; i < (int32_t)G_N_ELEMENTS(implied); i++)
-        if (is_implied(block_class, TINKER_IMPLIED_LENGTH + i) &&
-            tinker_block_class_quantity(block_class, implied[i].id) < 0)
-            g_array_append_val(types, implied[i]);
+    for (int32_t i = 0; i < (int32_t)G_N_ELEMENTS(implied); i++) {
+        const TinkerQuantityType type = implied_type(block_class, TINKER_IMPLIED_LENGTH + i);
+        if (is_implied(block_class, TINKER_IMPLIED_LENGTH + i) && tinker_block_class_quantity(block_class, type.id) < 0)
+            g_array_append_val(types, type);
+    }
     if (has_centre(block_class)) g_array_append_val(types, distance);
     return types;
 }

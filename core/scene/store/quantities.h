@@ -12,8 +12,10 @@
 
 /* Numbers of what is implied. */
 enum {
-    TINKER_IMPLIED_LENGTH = 0x10000,     /* m: distance between the two ends */
-    TINKER_IMPLIED_ANGLE,                /* rad: of the way from the first end to the second, from +x, in (-pi, pi] */
+    TINKER_IMPLIED_LENGTH = 0x10000, /* m: distance between the two ends */
+    /* rad: of the way from the first end to the second, from +x, in (-pi, pi]; of a class that is about turning, by
+     * which what its second end is on is turned against what its first is on, counting turns */
+    TINKER_IMPLIED_ANGLE,
     TINKER_IMPLIED_ANGLE_RATE,           /* rad/s */
     TINKER_IMPLIED_PATH_LENGTH,          /* m: of the way since the start of the run */
     TINKER_IMPLIED_DISTANCE = 0x1000000, /* m: between the centres; the other block's id is added to it */

@@ -41,6 +41,15 @@ static void add_cells(TinkerTextTable *table, const TinkerChartCurve *curve, con
     }
 }
 
+/* Why it has no period, or no damping, as a line each. */
+static void add_reasons(GString *reasons, const TinkerChartCurve *curve, const TinkerStatistics *found)
+{
+    if (found->no_period != TINKER_SWINGS_GOOD)
+        g_string_append_printf(reasons, "  %s: no period: %s\n", curve->name, tinker_swings_why(found->no_period));
+    if (found->no_damping != TINKER_SWINGS_GOOD && found->no_damping != found->no_period)
+        g_string_append_printf(reasons, "  %s: no decrement: %s\n", curve->name, tinker_swings_why(found->no_damping));
+}
+
 static void add_number(cJSON *object, const char *key, double value)
 {
     if (isfinite(value))
@@ -109,6 +118,7 @@ gboolean tinker_statistics_report(const TinkerChart *chart, double from, double 
 {
     static const char *const headings[] = {"CURVE", "STATISTIC", "VALUE", "ERROR", "UNIT"};
     g_autoptr(TinkerTextTable) table = tinker_text_table_new("llrrl", 2);
+    g_autoptr(GString) reasons = g_string_new("");
     cJSON *root = cJSON_CreateObject(), *curves;
     add_number(root, "from", from);
     add_number(root, "to", to);
@@ -122,9 +132,13 @@ gboolean tinker_statistics_report(const TinkerChart *chart, double from, double 
         good = measure(chart, curve, from, to, &found, error);
         if (!good) break;
         add_cells(table, curve, &found);
+        add_reasons(reasons, curve, &found);
         add_json(curves, curve, &found);
     }
-    if (good && text != NULL) tinker_text_table_write(table, text);
+    if (good && text != NULL) {
+        tinker_text_table_write(table, text);
+        tinker_print_text(text, reasons->str);
+    }
     if (good && json != NULL) {
         char *printed = cJSON_Print(root);
         tinker_print_text(json, printed);

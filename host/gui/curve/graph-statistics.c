@@ -24,31 +24,11 @@ void tinker_statistic_append(GString *text, const TinkerStatistic *statistic)
     if (text->str[text->len - 1] == '.') g_string_truncate(text, text->len - 1);
 }
 
-static const char *why_none(TinkerSwings swings)
-{
-    switch (swings) {
-    case TINKER_SWINGS_TOO_FEW:
-        return _("it does not swing to and fro often enough");
-    case TINKER_SWINGS_UNEVEN:
-        return _("its swings do not take equally long");
-    case TINKER_SWINGS_UNLIKE:
-        return _("its swings become larger and smaller in turn, and do not come again");
-    case TINKER_SWINGS_OFF_SHARE:
-        return _("its swings do not shrink by the same share each time");
-    case TINKER_SWINGS_COARSE:
-        return _("too few samples in a swing");
-    case TINKER_SWINGS_UNDEFINED:
-        return _("it is not defined everywhere");
-    default:
-        return "";
-    }
-}
-
 static void add_line(GString *text, const char *name, const TinkerStatistic *statistic, const char *unit,
                      TinkerSwings swings)
 {
     if (!isfinite(statistic->value)) {
-        g_string_append_printf(text, "%s: — (%s)\n", name, why_none(swings));
+        g_string_append_printf(text, "%s: — (%s)\n", name, tinker_swings_why(swings));
         return;
     }
     const char *gap = unit[0] != '\0' ? " " : "";
