@@ -201,6 +201,33 @@ static void test_left_out(void)
     assert_left_out(standing, NULL);
 }
 
+/* What is added in time alone forces the mass, and is left out of no mode. */
+static void test_varying(void)
+{
+    static const struct {
+        const char *law;
+        gboolean is_connector, varies;
+    } cases[] = {
+        {"9*(L - 1)*(1 + 0.2*sin(6*t))", TRUE, TRUE},
+        {"9*(L - 1) + 3*sin(6*t)", TRUE, FALSE},
+        {"(1 + t)*rate", TRUE, TRUE},
+        {"-if(t < 20, 1, 2)*x", FALSE, TRUE},
+        {"3*t - x", FALSE, FALSE},
+    };
+    for (gsize i = 0; i < G_N_ELEMENTS(cases); i++) {
+        g_autofree char *blocks = g_strdup_printf(
+            cases[i].is_connector ? "{'type': 'support', 'name': 'Wall'}, {'type': 'mass', 'position': [1, 0]},"
+                                    "{'type': 'law-connector', 'ends': ['Wall', 'Mass 0'], 'tension': '%s'}"
+                                  : "{'type': 'mass', 'position': [0, 0]},"
+                                    "{'type': 'law-force', 'ends': ['Mass 0'], 'force_x': '%s'}",
+            cases[i].law);
+        const char *name = cases[i].is_connector ? "Typed Connector 0" : "Typed Force 0";
+        g_autofree char *sentence =
+            g_strdup_printf("%s varies in time: its stiffness and damping count as at t = 0", name);
+        assert_left_out(blocks, cases[i].varies ? sentence : NULL);
+    }
+}
+
 static void add_tests(void)
 {
     g_test_add_func("/analysis/mode-words/two-masses", test_two_masses);
@@ -211,6 +238,7 @@ static void add_tests(void)
     g_test_add_func("/analysis/mode-words/number-of-pair", test_number_of_pair);
     g_test_add_func("/analysis/mode-words/nothing-to-swing", test_nothing_to_swing);
     g_test_add_func("/analysis/mode-words/left-out", test_left_out);
+    g_test_add_func("/analysis/mode-words/varying", test_varying);
     g_test_add_func("/analysis/mode-words/captions", test_captions);
     g_test_add_func("/analysis/mode-words/damped-caption", test_damped_caption);
 }

@@ -241,6 +241,31 @@ static void test_refusals(void)
     }
 }
 
+/* What goes with the square of a swing, or with that times the force, swings at twice its frequency. */
+static void test_squares(void)
+{
+    static const char *const squares[] = {"Spring 0.energy", "Motor 0.power", "Scene.kinetic energy",
+                                          "Damper 0.dissipated power"};
+    const char *blocks = "{'type': 'support', 'position': [0.1, 0.2]}, {'type': 'mass', 'position': [1.43, 0.97]},"
+                         "{'type': 'spring', 'ends': ['Support 0', 'Mass 0']},"
+                         "{'type': 'damper', 'ends': ['Support 0', 'Mass 0']},"
+                         "{'type': 'motor', 'ends': ['Mass 0'], 'amplitude': 3}";
+    for (gsize i = 0; i < G_N_ELEMENTS(squares); i++) {
+        g_autoptr(GError) error = NULL;
+        g_autoptr(ModesFixture) a = modes_fixture_new(TRUE, blocks);
+        g_auto(TinkerLinearInput) input = {0};
+        g_auto(TinkerLinearOutput) output = {0};
+        g_autoptr(GArray) columns = tinker_columns_new();
+        g_assert_true(tinker_columns_add(columns, a->scene, squares[i], &error));
+        g_assert_true(tinker_linear_input_find(a->analysis->model, "Motor 0", &input, &error));
+        const TinkerColumn *column = &g_array_index(columns, TinkerColumn, 0);
+        if (tinker_linear_output_find(a->analysis->model, a->analysis->q, column, &input, &output, &error))
+            g_test_fail_printf("%s has a response", squares[i]);
+        else
+            g_assert_nonnull(strstr(error->message, "does not change with small motions"));
+    }
+}
+
 /* What is divided by a product or a quotient has it in brackets. */
 static void test_units(void)
 {
@@ -260,6 +285,7 @@ static void test_units(void)
 
 static void add_tests(void)
 {
+    g_test_add_func("/analysis/response/squares", test_squares);
     g_test_add_func("/response/force", test_force);
     g_test_add_func("/response/turning", test_turning);
     g_test_add_func("/response/transmissibility", test_transmissibility);

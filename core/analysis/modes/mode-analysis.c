@@ -26,6 +26,7 @@ static gboolean analyse(TinkerModeAnalysis *analysis, gboolean rest, GError **er
     tinker_linearise_add_left_out(analysis->model, analysis->q, analysis->left_out);
     analysis->linear = tinker_linearise(analysis->model, analysis->q, error);
     if (analysis->linear == NULL) return FALSE;
+    tinker_linearise_add_varying(analysis->model, analysis->q, analysis->linear->extent, analysis->left_out);
     analysis->basis = tinker_modal_basis_new(analysis->linear, error);
     if (analysis->basis == NULL) return FALSE;
     analysis->modes = tinker_modes_of(analysis->basis, error);

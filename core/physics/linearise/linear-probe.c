@@ -208,12 +208,12 @@ static void shift(Probe *probe, int32_t which, double *state, int order, double 
     }
 }
 
-/* The derivative by what `shift` moves, into `derivative`. */
+/* The derivative by what `shift` moves, into `derivative`; 0 where it is rounding, as of an energy about its least. */
 static TinkerStatus differentiate(Probe *probe, int32_t which, double *state, int order, double step,
                                   double *derivative)
 {
     static const double weights[] = {45, -9, 1};
-    double sum = 0, kept = which >= 0 ? state[which] : probe->driving != NULL ? *probe->driving : 0;
+    double sum = 0, sizes = 0, kept = which >= 0 ? state[which] : probe->driving != NULL ? *probe->driving : 0;
     TinkerStatus status = TINKER_OK;
     for (int k = 1; k <= 3 && status == TINKER_OK; k++)
         for (int sign = -1; sign <= 1 && status == TINKER_OK; sign += 2) {
@@ -224,8 +224,9 @@ static TinkerStatus differentiate(Probe *probe, int32_t which, double *state, in
             if (which >= 0) state[which] = kept;
             if (which < 0 && probe->driving != NULL) *probe->driving = kept;
             sum += sign * weights[k - 1] * value;
+            sizes += fabs(weights[k - 1] * value);
         }
-    *derivative = sum / (60 * step);
+    *derivative = fabs(sum) > TINKER_PROBE_ROUNDING * sizes ? sum / (60 * step) : 0;
     return status;
 }
 

@@ -7,6 +7,8 @@
 /* No unit; of the extent, of an extent a second, of the largest force: the step of differences. Held by:
  * analysis-response. */
 #define TINKER_PROBE_STEP 1e-3
+/* No unit; of the values that a derivative is the difference of: less of it is rounding. Held by: analysis-response. */
+#define TINKER_PROBE_ROUNDING 1e-13
 /* No unit; of a row's length, or of the shortest part of a path: the step of differences of order 6, whose truncation
  * and rounding are both some 1e-13 there. Held by: analysis-modes, analysis-modes-contacts, analysis-modes-elements,
  * analysis-modes-turning, analysis-response. */
@@ -24,5 +26,8 @@
  * bodies.
  Held by: analysis-modes-elements. */
 #define TINKER_COUPLING_STEP 2e-4
+/* No unit; of what a force changes by from one state to another: what that change differs by at another time is
+ * rounding. Held by: analysis-mode-words. */
+#define TINKER_VARIES 1e-9
 
 #endif

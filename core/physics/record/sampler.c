@@ -283,7 +283,9 @@ TinkerStatus tinker_sampler_values(TinkerSampler *sampler, double t, const doubl
         const Wanted *wanted = g_ptr_array_index(sampler->wanted, i);
         if (wanted->batch != last) {
             last = wanted->batch;
-            if (last->waveforms > 0) tinker_block_batch_set_time(last, t);
+            const TinkerPhysics *physics = last->block_class->physics;
+            if (last->waveforms > 0 && (physics == NULL || physics->motion != NULL))
+                tinker_block_batch_set_time(last, t); /* the model has set all others */
             view = tinker_block_batch_view(last, t);
             if (last->end_count > 0) memcpy(view.origin, model->origin, sizeof(model->origin));
             input = input_of(sampler, last, &view, q);

@@ -84,6 +84,11 @@ static void add_held(cJSON *root, const TinkerModeReport *report)
     }
 }
 
+static const char *name_of_kind(TinkerLeftOutKind kind)
+{
+    return kind == TINKER_LEFT_OUT_CONTACT ? "contact" : kind == TINKER_LEFT_OUT_MOTION ? "motion" : "variation";
+}
+
 static void add_left_out(cJSON *root, const TinkerModeReport *report)
 {
     const GArray *left_out = report->analysis->left_out;
@@ -94,7 +99,7 @@ static void add_left_out(cJSON *root, const TinkerModeReport *report)
         cJSON_AddStringToObject(object, "block", tinker_scene_block_name(report->scene, out->block));
         if (out->kind == TINKER_LEFT_OUT_CONTACT)
             cJSON_AddStringToObject(object, "touches", tinker_scene_block_name(report->scene, out->other));
-        cJSON_AddStringToObject(object, "what", out->kind == TINKER_LEFT_OUT_CONTACT ? "contact" : "motion");
+        cJSON_AddStringToObject(object, "what", name_of_kind(out->kind));
         cJSON_AddItemToArray(array, object);
     }
 }

@@ -133,6 +133,9 @@ GPtrArray *tinker_modes_left_out(const TinkerModeAnalysis *analysis, TinkerScene
         if (out->kind == TINKER_LEFT_OUT_MOTION)
             g_ptr_array_add(sentences,
                             g_strdup_printf(_("%s is held still where it is at t = 0: its motion is left out"), name));
+        else if (out->kind == TINKER_LEFT_OUT_VARIATION)
+            g_ptr_array_add(sentences,
+                            g_strdup_printf(_("%s varies in time: its stiffness and damping count as at t = 0"), name));
         else
             g_ptr_array_add(sentences, g_strdup_printf(_("%s touches %s, which is left out: it moves as if that were "
                                                          "not there"),
