@@ -42,9 +42,13 @@ static gboolean fail(const char *text, GError **error, const char *why)
     return FALSE;
 }
 
-static TinkerFormula *read_formula(TinkerUntil *until, const char *whole, const char *text, GError **error)
+/* Of a condition the characters from `from` to `to`, at the columns that they have there. */
+static TinkerFormula *read_formula(TinkerUntil *until, const char *whole, const char *from, const char *to,
+                                   GError **error)
 {
     g_autoptr(GError) reason = NULL;
+    g_autofree char *before = g_strnfill((gsize)g_utf8_strlen(whole, from - whole), ' ');
+    g_autofree char *text = g_strdup_printf("%s%.*s", before, (int)(to - from), from);
     TinkerFormula *formula = tinker_formula_new(until->scene, text, until->columns, &reason);
     if (formula == NULL) fail(whole, error, reason->message);
     return formula;
@@ -79,12 +83,12 @@ static gboolean read_condition(TinkerUntil *until, const char *text, UntilCondit
         condition->kind = UNTIL_EVENT;
         return read_event(until, text, condition, error);
     }
-    g_autofree char *left = equals != NULL ? g_strndup(text, (gsize)(equals - text)) : g_strdup(text);
+    const char *end = text + strlen(text);
     condition->kind = equals != NULL ? UNTIL_ROOT : UNTIL_COMPARISON;
-    condition->left = read_formula(until, text, left, error);
+    condition->left = read_formula(until, text, text, equals != NULL ? equals : end, error);
     if (condition->left == NULL) return FALSE;
     if (condition->kind == UNTIL_ROOT) {
-        condition->right = read_formula(until, text, equals + 1, error);
+        condition->right = read_formula(until, text, equals + 1, end, error);
         return condition->right != NULL;
     }
     return tinker_formula_is_comparison(condition->left) ||

@@ -340,6 +340,8 @@ static void test_refused(CliFixture *fixture, gconstpointer data)
     cli_assert_holds(late->error, "--at 5: the scene's run lasts 4 s (a time from 0 to that)");
     g_autoptr(TestProgram) stranger = cli_run_badly(fixture, "equations @scene.json --block Lod", 2);
     cli_assert_holds(stranger->error, "--block \"Lod\": the scene has no such block");
+    g_autoptr(TestProgram) spring = cli_run_badly(fixture, "equations @scene.json --block Ceiling", 2);
+    cli_assert_holds(spring->error, "--block \"Ceiling\": it has no equation of motion");
 }
 
 int main(int argc, char **argv)

@@ -128,6 +128,7 @@ static void test_mistakes(CliFixture *fixture, gconstpointer data)
         const char *message;
     } mistakes[] = {
         {"trade @a.json --methods rk4,rk5", 2, "did you mean \"rk4\""},
+        {"trade @a.json --methods ''", 2, "no method is named"},
         {"trade @a.json --error 1e-6 --budget 1", 2, "exclude each other"},
         {"trade @a.json --error 0", 2, "--error"},
         {"trade @a.json --budget '3 kg'", 2, "--budget"},

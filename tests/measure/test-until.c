@@ -117,6 +117,8 @@ static void test_mistakes(void)
         const char *text, *says;
     } bad[] = {
         {"{Mass 0.y}", "it is no condition"},
+        {"{Mass 0.x} =", "column 13: a number"},
+        {"{Mass 0.x} = 1 + )", "column 18: "},
         {"{Mass 0.z} = 1", "column 1: {Mass 0.z}: Mass 0 has no quantity"},
         {"event(impct)", "did you mean \"impact\"?"},
         {"event(impact, Mass 9)", "the scene has no block \"Mass 9\""},

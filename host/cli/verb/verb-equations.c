@@ -95,6 +95,23 @@ static gboolean is_no_picture(const char *path, GError **error)
     return FALSE;
 }
 
+/* The blocks that are asked for; NULL where one of them is no body that can move, which alone has an equation.
+ * (transfer full) */
+static TinkerBlockId *bodies_named(TinkerScene *scene, char **names, GError **error)
+{
+    g_autofree TinkerBlockId *blocks = tinker_blocks_named(scene, names, error);
+    for (const TinkerBlockId *block = blocks; block != NULL && *block >= 0; block++) {
+        if (tinker_block_class_moves(tinker_scene_block_class(scene, *block))) continue;
+        g_set_error(
+            error, TINKER_CLI_ERROR, TINKER_CLI_ERROR_USAGE,
+            "--block \"%s\": it has no equation of motion (name a body that can move; forces on it stand in its "
+            "equation)",
+            tinker_scene_block_name(scene, *block));
+        return NULL;
+    }
+    return g_steal_pointer(&blocks);
+}
+
 static gboolean write_equations(const EquationsOptions *options, const TinkerOpenScene *open, GError **error)
 {
     static const char *const formats[] = {"text", "latex", "mathml", "json", NULL};
@@ -109,8 +126,7 @@ static gboolean write_equations(const EquationsOptions *options, const TinkerOpe
     if (options->as != NULL && !tinker_option_choice("as", options->as, formats, &as, error)) return FALSE;
     if (options->form != NULL && !tinker_option_choice("form", options->form, forms, &form, error)) return FALSE;
     if (options->at != NULL && !tinker_option_value("at", options->at, seconds, 0, FALSE, &time, error)) return FALSE;
-    if (options->blocks != NULL && (blocks = tinker_blocks_named(open->scene, options->blocks, error)) == NULL)
-        return FALSE;
+    if (options->blocks != NULL && (blocks = bodies_named(open->scene, options->blocks, error)) == NULL) return FALSE;
 
     g_autoptr(TinkerModelState) state = tinker_state_at(open, &options->run, "at", time, error);
     if (state == NULL) return FALSE;

@@ -140,6 +140,12 @@ static gboolean prepare(TradeJob *job, const TradeArguments *arguments, const Ti
         options->run.at_count = job->times->len;
     }
     if (arguments->methods != NULL) job->methods = read_methods(arguments->methods);
+    if (job->methods != NULL && job->methods[0] == NULL) {
+        g_set_error(error, TINKER_CLI_ERROR, TINKER_CLI_ERROR_USAGE,
+                    "--methods \"\": no method is named (as in --methods rk4,verlet; `tinker plugins` lists "
+                    "them)");
+        return FALSE;
+    }
     options->methods = (const char *const *)job->methods;
     options->cancelled = tinker_progress_interrupted;
     options->progress = show_progress;
