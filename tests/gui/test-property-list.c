@@ -74,12 +74,25 @@ static void test_spring_strings(void)
     panel_assert_shown(fixture, "Spring Properties", "K", "1.71304 lbf/ft"); /* 25 * 0.3048 / 4.4482216152605 */
 }
 
+/* What five decimals do not show, or a field does not hold. */
+static void test_exponents(void)
+{
+    g_autoptr(GuiFixture) fixture = gui_fixture_new("{'type': 'mass', 'position': [1e-14, 0.0012], 'mass': 1e-7, "
+                                                    "'velocity': [-0.00012345678, 12345678901]}");
+    panel_select(fixture, "Mass 0");
+    panel_assert_shown(fixture, "Global Position", "X", "0.00000 m");
+    panel_assert_shown(fixture, "Global Position", "Y", "0.00120 m");
+    panel_assert_shown(fixture, "Properties", "Mass", "1e-07 kg");
+    panel_assert_shown(fixture, "Initial Velocity", "Vx", "-0.000123457 m/s");
+    panel_assert_shown(fixture, "Initial Velocity", "Vy", "1.23457e+10 m/s");
+}
+
 /* Where that is wished, the zeros behind the last digit that counts are left out; all else is as it was. */
 static void test_trimmed(void)
 {
     g_autoptr(GuiFixture) fixture =
         gui_fixture_new(ONE_MASS ",{'type': 'mass', 'name': 'Far', 'position': [-100, 0.12345],"
-                                 "'velocity': [1e-9, -0.5]}," ONE_SUPPORT "," ONE_SPRING);
+                                 "'velocity': [1e-14, -0.5]}," ONE_SUPPORT "," ONE_SPRING);
     fixture->trims = TRUE;
     panel_select(fixture, "Mass 0");
     panel_assert_shown(fixture, "Global Position", "X", "3.2 m");
@@ -94,7 +107,7 @@ static void test_trimmed(void)
     /* What is not shown stays as it is when the shown is entered again. */
     g_autoptr(TinkerPropertyRow) row = panel_find_row(fixture, "Initial Velocity", "Vx");
     g_assert_true(tinker_property_row_set(fixture->document, row, "0 m/s", NULL));
-    g_assert_cmpfloat(panel_stored(fixture, "Far", "velocity", 0), ==, 1e-9);
+    g_assert_cmpfloat(panel_stored(fixture, "Far", "velocity", 0), ==, 1e-14);
     panel_select(fixture, "Spring 0");
     panel_assert_shown(fixture, "Spring Properties", "K", "25 N/m");
     panel_select_nothing(fixture);
@@ -223,6 +236,7 @@ static void test_now(void)
 
 static void add_tests(void)
 {
+    g_test_add_func("/gui/property-list/exponents", test_exponents);
     g_test_add_func("/gui/property-list/thesis-strings", test_thesis_strings);
     g_test_add_func("/gui/property-list/motor-strings", test_motor_strings);
     g_test_add_func("/gui/property-list/support-strings", test_support_strings);

@@ -69,12 +69,19 @@ char *tinker_quantity_format(double si, TinkerDimension dimension, const char *u
     return number_with_unit(number, shown);
 }
 
-char *tinker_quantity_brief(double si, TinkerDimension dimension, TinkerUnitSystem system)
+char *tinker_quantity_significant(double si, TinkerDimension dimension, const char *unit, TinkerUnitSystem system,
+                                  int digits)
 {
     const char *shown;
-    const double factor = factor_of(tinker_unit_for(dimension, system), dimension, &shown);
-    char number[G_ASCII_DTOSTR_BUF_SIZE];
-    return number_with_unit(g_ascii_formatd(number, sizeof number, "%.4g", si / factor), shown);
+    const double factor = factor_of(unit != NULL ? unit : tinker_unit_for(dimension, system), dimension, &shown);
+    char number[G_ASCII_DTOSTR_BUF_SIZE], format[8];
+    g_snprintf(format, sizeof format, "%%.%dg", CLAMP(digits, 1, DBL_DECIMAL_DIG));
+    return number_with_unit(g_ascii_formatd(number, sizeof number, format, si / factor), shown);
+}
+
+char *tinker_quantity_brief(double si, TinkerDimension dimension, TinkerUnitSystem system)
+{
+    return tinker_quantity_significant(si, dimension, NULL, system, 4);
 }
 
 char *tinker_load_brief(double si, gboolean is_torque, TinkerUnitSystem system)

@@ -56,6 +56,11 @@ const char *tinker_unit_in_print(const char *unit);
 char *tinker_quantity_format(double si, TinkerDimension dimension, const char *unit, TinkerUnitSystem system,
                              int decimals);
 
+/* The same in at most so many significant digits, with an exponent where it is very large or small, "1e-07 m".
+ * (transfer full) */
+char *tinker_quantity_significant(double si, TinkerDimension dimension, const char *unit, TinkerUnitSystem system,
+                                  int digits);
+
 /* A value within a sentence or on a picture: four significant digits and the unit, "2.6 m/s". (transfer full) */
 char *tinker_quantity_brief(double si, TinkerDimension dimension, TinkerUnitSystem system);
 

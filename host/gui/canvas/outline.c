@@ -266,6 +266,11 @@ static void tinker_outline_class_init(TinkerOutlineClass *class)
     G_OBJECT_CLASS(class)->dispose = tinker_outline_dispose;
     gtk_widget_class_set_layout_manager_type(GTK_WIDGET_CLASS(class), GTK_TYPE_BOX_LAYOUT);
     gtk_widget_class_set_css_name(GTK_WIDGET_CLASS(class), "outline");
+    /* as on the canvas, behind the search entry, which takes them for its text */
+    gtk_widget_class_add_binding_action(GTK_WIDGET_CLASS(class), GDK_KEY_Delete, 0, "win.delete", NULL);
+    gtk_widget_class_add_binding_action(GTK_WIDGET_CLASS(class), GDK_KEY_c, GDK_CONTROL_MASK, "win.copy", NULL);
+    gtk_widget_class_add_binding_action(GTK_WIDGET_CLASS(class), GDK_KEY_x, GDK_CONTROL_MASK, "win.cut", NULL);
+    gtk_widget_class_add_binding_action(GTK_WIDGET_CLASS(class), GDK_KEY_v, GDK_CONTROL_MASK, "win.paste", NULL);
     signals[ACTIVATED] =
         g_signal_new("activated", TINKER_TYPE_OUTLINE, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL, G_TYPE_NONE, 0);
     signals[MENU] = g_signal_new("menu", TINKER_TYPE_OUTLINE, G_SIGNAL_RUN_LAST, 0, NULL, NULL, NULL, G_TYPE_NONE, 2,

@@ -18,7 +18,10 @@ static void show_text(TinkerPropertyField *field)
     if (g_str_equal(text, field->row->text)) return;
     field->showing = TRUE;
     gtk_editable_set_text(GTK_EDITABLE(field->control), field->row->text);
-    if (has_focus(field)) gtk_editable_select_region(GTK_EDITABLE(field->control), 0, -1);
+    if (has_focus(field))
+        gtk_editable_select_region(GTK_EDITABLE(field->control), 0, -1);
+    else
+        gtk_editable_set_position(GTK_EDITABLE(field->control), 0); /* of what is wider the beginning is seen */
     field->showing = FALSE;
 }
 

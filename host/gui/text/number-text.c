@@ -12,7 +12,13 @@
 #include "units/expression/expression-tree.h"
 
 #define DECIMALS 5
-#define NOTHING  1e-30
+/* In units: what these decimals show fewer than three digits of, or a field does not hold; what rounding makes of 0;
+ * and the significant digits of the former. */
+#define TOO_SMALL 1e-3
+#define TOO_LONG  1e9
+#define ROUNDING  1e-12
+#define DIGITS    6
+#define NOTHING   1e-30
 
 /* Of the user's locale, which the program itself does not write numbers by. */
 static gboolean locale_has_comma(void)
@@ -144,6 +150,9 @@ gboolean tinker_number_read(const char *text, TinkerDimension dimension, const c
 char *tinker_number_write(double si, TinkerDimension dimension, const char *unit, TinkerUnitSystem system,
                           gboolean trims)
 {
+    g_autofree char *brief = tinker_quantity_significant(si, dimension, unit, system, DIGITS);
+    const double size = fabs(g_ascii_strtod(brief, NULL));
+    if (size >= TOO_LONG || (size >= ROUNDING && size < TOO_SMALL)) return g_steal_pointer(&brief);
     char *text = tinker_quantity_format(si, dimension, unit, system, DECIMALS), *point = strchr(text, '.');
     if (!trims || point == NULL) return text;
     char *end = point + 1 + strspn(point + 1, "0123456789"), *last = end;

@@ -14,7 +14,9 @@
 gboolean tinker_number_read(const char *text, TinkerDimension dimension, const char *unit, double *si, GError **error);
 
 /* A value as it is shown where it can be edited: five decimals and the unit, "3.20000 m"; trimmed without the zeros at
- * their end, "3.2 m". `unit` as tinker_quantity_format takes it. (transfer full) */
+ * their end, "3.2 m". What decimals leave no three digits of, or is longer than a field, has an exponent, "1e-07 m";
+ * what is below 1e-12 units, as rounding leaves of a place at 0, is shown as 0. `unit` as tinker_quantity_format takes
+ * it. (transfer full) */
 char *tinker_number_write(double si, TinkerDimension dimension, const char *unit, TinkerUnitSystem system,
                           gboolean trims);
 

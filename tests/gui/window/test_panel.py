@@ -194,6 +194,16 @@ def test_outline_selects(display):
         app.wait_read("Appearance", "Name", "B")
 
 
+def test_keys_of_the_outline(display):
+    with App(display, scene(mass("A", -2, 0), mass("B", 2, 0))) as app:
+        app.click(app.find_starting("list item", "A, Mass"))
+        app.press("ctrl+c")
+        app.press("Delete")
+        check_equal(list(app.blocks()), ["B"], "blocks after Delete in the outline")
+        app.press("ctrl+v")
+        check_equal(len(app.blocks()), 2, "blocks with the copy")
+
+
 def test_return_selects_what_was_searched_for_at_once(display):
     """Also before the outline shows what is found, which is a moment after the last key; and nothing where nothing is typed."""
     with App(display, scene(*(mass(f"M{i}", i, 0) for i in range(9)))) as app:
