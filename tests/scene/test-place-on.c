@@ -67,6 +67,30 @@ static void test_places(void)
     }
 }
 
+/* A box by its side, or, turned by 45 degrees against the top, by a corner; a disc by its rim. */
+static void test_bodies_that_turn(void)
+{
+    static const char *const bodies[] = {
+        "{\"type\": \"box\", \"name\": \"B\", \"on\": \"Incline\", \"along\": 2, \"width\": 0.4, \"height\": 0.8}",
+        "{\"type\": \"disc\", \"name\": \"B\", \"on\": \"Incline\", \"along\": 2, \"radius\": 0.4}",
+        "{\"type\": \"box\", \"name\": \"B\", \"on\": \"Incline\", \"along\": 2, \"width\": 0.4, \"height\": 0.4, "
+        "\"orientation\": \"75 deg\"}"};
+    for (gsize i = 0; i < G_N_ELEMENTS(bodies); i++) {
+        g_autofree char *blocks = g_strconcat(bodies[i], ", " INCLINE, NULL);
+        g_autoptr(TinkerScene) scene = scene_fixture_read_blocks(blocks);
+        const double angle = G_PI / 6, up = 0.25 + (i < 2 ? 0.4 : 0.2 * G_SQRT2);
+        g_assert_cmpfloat_with_epsilon(value(scene, "B", TINKER_MEANING_POSITION, 0),
+                                       1 + 2 * cos(angle) - up * sin(angle), 1e-14);
+        g_assert_cmpfloat_with_epsilon(value(scene, "B", TINKER_MEANING_POSITION, 1),
+                                       2 + 2 * sin(angle) + up * cos(angle), 1e-14);
+        g_assert_cmpfloat_with_epsilon(value(scene, "B", TINKER_MEANING_ORIENTATION, 0), i < 2 ? angle : 2.5 * angle,
+                                       1e-14);
+        g_autofree char *text = tinker_scene_to_text(scene, TINKER_WRITE_SI);
+        g_autoptr(TinkerScene) again = scene_fixture_read(text);
+        expect_lies(again, "B", "Incline");
+    }
+}
+
 /* The support is where its motions have it at t = 0. */
 static void test_moved_support(void)
 {
@@ -284,6 +308,7 @@ static void test_missing_type(void)
 
 static void add_tests(void)
 {
+    g_test_add_func("/scene/place-on/bodies-that-turn", test_bodies_that_turn);
     g_test_add_func("/place-on/places", test_places);
     g_test_add_func("/place-on/moved-support", test_moved_support);
     g_test_add_func("/place-on/orientation", test_orientation);

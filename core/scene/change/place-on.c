@@ -72,12 +72,13 @@ static void put(TinkerScene *scene, const TinkerFrame *frame, TinkerBlockId bloc
     const int32_t position = tinker_block_class_meaning_column(block_class, TINKER_MEANING_POSITION);
     const int32_t orientation = block_class->meanings[TINKER_MEANING_ORIENTATION];
     const TinkerTop top = tinker_top_of(frame, on->plate);
+    const gboolean turned = orientation >= 0 && table->given[orientation][row];
+    const double angle = turned ? table->columns[block_class->first_columns[orientation]][row] : top.angle;
     double centre[2];
-    tinker_top_centre(&top, on->along, tinker_top_reach(frame, &top, block, top.angle), centre);
+    tinker_top_centre(&top, on->along, tinker_top_reach(frame, &top, block, angle), centre);
     for (int k = 0; k < 2; k++)
         table->columns[position + k][row] = centre[k];
-    if (orientation >= 0 && !table->given[orientation][row])
-        table->columns[block_class->first_columns[orientation]][row] = top.angle;
+    if (orientation >= 0 && !turned) table->columns[block_class->first_columns[orientation]][row] = top.angle;
     scene_table_resolve(table, row);
 }
 

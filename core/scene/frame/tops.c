@@ -30,12 +30,22 @@ gboolean tinker_class_can_lie(const TinkerBlockClass *block_class)
            block_class->meanings[TINKER_MEANING_POSITION] >= 0;
 }
 
+static gboolean has_reach(const TinkerBody *body)
+{
+    return body->degrees_of_freedom == 3 && (body->shape == TINKER_SHAPE_BOX || body->shape == TINKER_SHAPE_DISC);
+}
+
+gboolean tinker_class_can_be_put(const TinkerBlockClass *block_class)
+{
+    const TinkerBody *body = body_of(block_class);
+    return tinker_class_can_lie(block_class) ||
+           (body != NULL && has_reach(body) && block_class->meanings[TINKER_MEANING_POSITION] >= 0);
+}
+
 gboolean tinker_body_can_stand(const TinkerFrame *frame, TinkerBlockId block)
 {
     const TinkerBody *body = body_of(tinker_scene_block_class(tinker_frame_scene(frame), block));
-    return body != NULL && body->degrees_of_freedom == 3 &&
-           (body->shape == TINKER_SHAPE_BOX || body->shape == TINKER_SHAPE_DISC) &&
-           tinker_frame_meaning(frame, block, TINKER_MEANING_SOLID, 0, 0) != 0;
+    return body != NULL && has_reach(body) && tinker_frame_meaning(frame, block, TINKER_MEANING_SOLID, 0, 0) != 0;
 }
 
 static gboolean is_solid(const TinkerFrame *frame, TinkerBlockId block)

@@ -20,6 +20,9 @@ typedef struct {
 gboolean tinker_class_has_top(const TinkerBlockClass *block_class);
 gboolean tinker_class_can_lie(const TinkerBlockClass *block_class);
 
+/* Whether a file may put them on a top in place of a position: those that lie, and boxes and discs that turn. */
+gboolean tinker_class_can_be_put(const TinkerBlockClass *block_class);
+
 /* Whether a body turns, and meets tops as a disc or a rectangle: it can be put on one, as it is turned. */
 gboolean tinker_body_can_stand(const TinkerFrame *frame, TinkerBlockId body);
 

@@ -131,7 +131,7 @@ static const char **property_keys(const TinkerBlockClass *block_class)
     keys[count++] = "type";
     keys[count++] = "name";
     if (block_class->type->most_ends != 0) keys[count++] = "ends";
-    if (tinker_class_can_lie(block_class)) {
+    if (tinker_class_can_be_put(block_class)) {
         keys[count++] = "on";
         keys[count++] = "along";
     }

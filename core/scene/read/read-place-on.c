@@ -7,14 +7,14 @@
 
 gboolean reader_is_place_on(const TinkerBlockClass *block_class, const char *key)
 {
-    return tinker_class_can_lie(block_class) && (g_str_equal(key, "on") || g_str_equal(key, "along")) &&
+    return tinker_class_can_be_put(block_class) && (g_str_equal(key, "on") || g_str_equal(key, "along")) &&
            tinker_block_class_property(block_class, key) < 0;
 }
 
 void reader_place_on(SceneReader *reader, const cJSON *json, JsonAt at, TinkerBlockId block)
 {
     const TinkerBlockClass *block_class = tinker_scene_block_class(reader->scene, block);
-    const char *position_id = tinker_class_can_lie(block_class)
+    const char *position_id = tinker_class_can_be_put(block_class)
                                   ? block_class->properties[block_class->meanings[TINKER_MEANING_POSITION]].id
                                   : NULL;
     if (position_id == NULL) return;

@@ -105,11 +105,11 @@ static void show_properties(const TinkerBlockClass *block_class, FILE *file)
     }
     fputs("\nProperties, as in a scene; values in SI:\n", file);
     tinker_text_table_write(table, file);
-    if (tinker_class_can_lie(block_class))
-        fputs("In place of a position: \"on\": NAME lies on the top of that support, and \"along\": NUMBER says how "
-              "far from "
-              "its middle,\nin m towards the support's +x (0).\n",
-              file);
+    if (tinker_class_can_be_put(block_class))
+        fputs(
+            "In place of a position: \"on\": NAME lies on the top of that support, and \"along\": NUMBER says how far "
+            "from its middle,\nin m towards the support's +x (0).\n",
+            file);
 }
 
 static void show_quantities(const TinkerBlockClass *block_class, FILE *file)
