@@ -65,7 +65,7 @@ static TinkerStatus least_energy(TinkerDirectionWatch *self, const TinkerDirecti
  * motion that is rounding keeps the ends apart by (mu l^2 / 2 |T0|)^(1/3). */
 static double unknown_energy(const TinkerIslandRun *run, const TinkerDirectionLine *line, double extent, double speed)
 {
-    double tension = fabs(line->tension), share = TINKER_MET, moment = 0;
+    double tension = fabs(line->tension), share = TINKER_DIRECTION_ROUNDING, moment = 0;
     if (tinker_method_is_adaptive(run->choice.method)) share = fmax(share, run->choice.tolerance);
     if (!tinker_direction_is_straight(run)) moment = TINKER_ROUNDING_OF_MOMENTS * extent * speed * tension;
     return TINKER_SEEN * run->books.missing + share * tension * extent + cbrt(0.5 * line->mass * moment * moment);
@@ -132,7 +132,7 @@ static TinkerStatus check_line(TinkerDirectionWatch *self, TinkerDirectionLine *
     if (status != TINKER_OK) return status;
     if (line->asked != NULL) line->tension = tinker_direction_tension(self->model, line->asked->batch, line->row);
     double energy = tinker_direction_energy(line, &ends);
-    if (line->tension == 0 || energy > TINKER_FAR_OFF * fabs(line->tension) * extent) return TINKER_OK;
+    if (line->tension == 0 || energy > TINKER_DIRECTION_FAR * fabs(line->tension) * extent) return TINKER_OK;
     if (closest) status = least_energy(self, line, ends, &energy);
     if (closest && status == TINKER_OK)
         status = tinker_island_run_mark_valid(run); /* looks how far the energy is off */

@@ -26,7 +26,7 @@
 /* No unit; of the time, or of a step: shorter ones are not divided for what a typed law does in them. */
 #define TINKER_LAW_LEAST 1e-11
 /* No unit; of the extent: ends so near to each other are at one place but for rounding. */
-#define TINKER_MET 1e-13
+#define TINKER_DIRECTION_ROUNDING 1e-13
 /* No unit; of the extent: ends that are exactly at one place are parted by so much. */
 #define TINKER_PARTED (64 * DBL_EPSILON)
 /* No unit; of the extent times the speed: what rounding makes of moments of the relative motion. */
@@ -34,6 +34,6 @@
 /* No unit; of what was seen of it: the run's energy is off by at most so many times that. */
 #define TINKER_SEEN 2.0
 /* No unit; of |T0| times the extent: beyond it nobody asks how far the energy is off. */
-#define TINKER_FAR_OFF 0.1
+#define TINKER_DIRECTION_FAR 0.1
 
 #endif
