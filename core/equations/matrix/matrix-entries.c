@@ -23,17 +23,18 @@ static const TinkerMatrixCoordinate *coordinate_at(const TinkerMatrixBuilder *bu
     return &g_array_index(builder->island->coordinates, TinkerMatrixCoordinate, number);
 }
 
-/* Adds to an entry; uses the expression up. */
-static void add(TinkerMatrixBuilder *builder, TinkerMatrixKind kind, guint number, TinkerExpression *more)
+void tinker_matrix_add(TinkerMatrixBuilder *builder, TinkerMatrixKind kind, guint row, guint column,
+                       TinkerExpression *more)
 {
     TinkerMatrixIsland *island = builder->island;
+    const guint number = row * island->coordinates->len + column;
     if (island->sparse[kind] != NULL)
         tinker_matrix_sparse_add(island, kind, number, more);
     else
         island->matrices[kind]->pdata[number] = tinker_expression_plus(island->matrices[kind]->pdata[number], more);
 }
 
-static void add_load(TinkerMatrixBuilder *builder, guint number, TinkerExpression *more)
+void tinker_matrix_add_load(TinkerMatrixBuilder *builder, guint number, TinkerExpression *more)
 {
     GPtrArray *load = builder->island->load;
     load->pdata[number] = tinker_expression_plus(load->pdata[number], more);
@@ -46,7 +47,8 @@ static TinkerExpression *along(const double direction[2], const TinkerExpression
                                   tinker_expression_times(tinker_expression_number(direction[1]), copy(y)));
 }
 
-static TinkerExpression *state_symbol(const TinkerMatrixBuilder *builder, TinkerBlockId body, const char *quantity)
+TinkerExpression *tinker_matrix_state_symbol(const TinkerMatrixBuilder *builder, TinkerBlockId body,
+                                             const char *quantity)
 {
     g_autofree char *name = g_strconcat(tinker_scene_block_name(builder->equations->scene, body), ".", quantity, NULL);
     return tinker_expression_symbol(name);
@@ -54,14 +56,23 @@ static TinkerExpression *state_symbol(const TinkerMatrixBuilder *builder, Tinker
 
 void tinker_matrix_add_coordinate(TinkerMatrixBuilder *builder, TinkerBlockId body, double ux, double uy)
 {
-    g_autoptr(TinkerExpression) x = state_symbol(builder, body, "x"), y = state_symbol(builder, body, "y");
+    g_autoptr(TinkerExpression) x = tinker_matrix_state_symbol(builder, body, "x"),
+                                y = tinker_matrix_state_symbol(builder, body, "y");
     TinkerMatrixCoordinate coordinate = {
         .symbol = g_strdup_printf("q_%u", size_of(builder) + 1), .body = body, .direction = {ux, uy}};
     coordinate.is = along(coordinate.direction, x, y);
     g_array_append_val(builder->island->coordinates, coordinate);
 }
 
-/* Definitions written out, so that an expression speaks of the state itself. */
+void tinker_matrix_add_angle(TinkerMatrixBuilder *builder, TinkerBlockId body)
+{
+    const TinkerMatrixCoordinate coordinate = {.symbol = g_strdup_printf("q_%u", size_of(builder) + 1),
+                                               .body = body,
+                                               .turning = TRUE,
+                                               .is = tinker_matrix_state_symbol(builder, body, "angle")};
+    g_array_append_val(builder->island->coordinates, coordinate);
+}
+
 static TinkerExpression *definition_of(const char *symbol, void *data)
 {
     const TinkerMatrixBuilder *builder = data;
@@ -71,9 +82,14 @@ static TinkerExpression *definition_of(const char *symbol, void *data)
     return tinker_expression_replace(definition->is, definition_of, data);
 }
 
+TinkerExpression *tinker_matrix_written_out(const TinkerMatrixBuilder *builder, const TinkerExpression *expression)
+{
+    return tinker_expression_replace(expression, definition_of, (void *)builder);
+}
+
 static gboolean is_state(const TinkerMatrixBuilder *builder, const char *symbol)
 {
-    static const char *const quantities[] = {"x", "y", "vx", "vy", NULL};
+    static const char *const quantities[] = {"x", "y", "vx", "vy", "angle", "rate", NULL};
     const char *dot = strrchr(symbol, '.');
     if (dot == NULL || !g_strv_contains(quantities, dot + 1)) return FALSE;
     g_autofree char *name = g_strndup(symbol, (gsize)(dot - symbol));
@@ -85,11 +101,11 @@ static TinkerExpression *zero_of_state(const char *symbol, void *data)
     return is_state(data, symbol) ? tinker_expression_number(0) : NULL;
 }
 
-static gboolean uses_state(const TinkerMatrixBuilder *builder, const TinkerExpression *expression)
+gboolean tinker_matrix_uses_state(const TinkerMatrixBuilder *builder, const TinkerExpression *expression)
 {
     if (expression->kind == TINKER_EXPRESSION_SYMBOL) return is_state(builder, expression->name);
     for (int i = 0; i < expression->count; i++)
-        if (uses_state(builder, expression->parts[i])) return TRUE;
+        if (tinker_matrix_uses_state(builder, expression->parts[i])) return TRUE;
     return FALSE;
 }
 
@@ -111,24 +127,25 @@ static void add_term(TinkerMatrixBuilder *builder, guint i, const TinkerTerm *te
     static const char *const quantities[2][2] = {{"x", "y"}, {"vx", "vy"}};
     const guint n = size_of(builder);
     g_autoptr(TinkerExpression) sum = along(coordinate_at(builder, i)->direction, term->x, term->y);
-    g_autoptr(TinkerExpression) force = tinker_expression_replace(sum, definition_of, builder);
+    g_autoptr(TinkerExpression) force = tinker_matrix_written_out(builder, sum);
     for (guint k = 0; k < n; k++) {
         const TinkerMatrixCoordinate *other = coordinate_at(builder, k);
         if (!uses_body(builder, force, other->body)) continue;
         for (int order = 0; order < 2; order++) {
             TinkerExpression *slope = tinker_expression_number(0);
             for (int axis = 0; axis < 2; axis++) {
-                g_autoptr(TinkerExpression) symbol = state_symbol(builder, other->body, quantities[order][axis]);
+                g_autoptr(TinkerExpression) symbol =
+                    tinker_matrix_state_symbol(builder, other->body, quantities[order][axis]);
                 TinkerExpression *part = tinker_expression_derivative_by(force, symbol->name);
                 slope = tinker_expression_plus(
                     slope, tinker_expression_times(tinker_expression_number(other->direction[axis]), part));
             }
-            if (uses_state(builder, slope)) builder->why = "a force on it is not linear";
-            add(builder, order == 0 ? TINKER_MATRIX_STIFFNESS : TINKER_MATRIX_DAMPING, i * n + k,
-                tinker_expression_negated(slope));
+            if (tinker_matrix_uses_state(builder, slope)) builder->why = "a force on it is not linear";
+            tinker_matrix_add(builder, order == 0 ? TINKER_MATRIX_STIFFNESS : TINKER_MATRIX_DAMPING, i, k,
+                              tinker_expression_negated(slope));
         }
     }
-    add_load(builder, i, tinker_expression_replace(force, zero_of_state, builder));
+    tinker_matrix_add_load(builder, i, tinker_expression_replace(force, zero_of_state, builder));
 }
 
 int tinker_matrix_coordinate_of(const TinkerMatrixBuilder *builder, TinkerBlockId body)
@@ -148,7 +165,6 @@ static TinkerExpression *zero_of_line(const char *symbol, void *data)
 
 void tinker_matrix_add_pull(TinkerMatrixBuilder *builder, const TinkerLineEquation *line, int end)
 {
-    const guint n = size_of(builder);
     const int own = tinker_matrix_coordinate_of(builder, line->ends[end]),
               other = tinker_matrix_coordinate_of(builder, line->ends[1 - end]);
     if (own < 0) return;
@@ -165,15 +181,16 @@ void tinker_matrix_add_pull(TinkerMatrixBuilder *builder, const TinkerLineEquati
     TinkerExpression *at_zero = tinker_expression_replace(line->tension, zero_of_line, (void *)line);
     static const TinkerMatrixKind matrices[] = {TINKER_MATRIX_STIFFNESS, TINKER_MATRIX_DAMPING};
     const TinkerExpression *const slopes[] = {k, c}, *const moved[] = {there, speed};
-    add_load(builder, (guint)own, tinker_expression_times(tinker_expression_number(sign), at_zero));
+    tinker_matrix_add_load(builder, (guint)own, tinker_expression_times(tinker_expression_number(sign), at_zero));
     for (int order = 0; order < 2; order++) {
         if (tinker_expression_uses(slopes[order], line->length->name)) builder->why = "a connector is not linear";
-        add(builder, matrices[order], (guint)own * n + (guint)own, copy(slopes[order]));
+        tinker_matrix_add(builder, matrices[order], (guint)own, (guint)own, copy(slopes[order]));
         if (other >= 0)
-            add(builder, matrices[order], (guint)own * n + (guint)other,
-                tinker_expression_negated(copy(slopes[order])));
+            tinker_matrix_add(builder, matrices[order], (guint)own, (guint)other,
+                              tinker_expression_negated(copy(slopes[order])));
         else
-            add_load(builder, (guint)own, tinker_expression_times(copy(slopes[order]), copy(moved[order])));
+            tinker_matrix_add_load(builder, (guint)own,
+                                   tinker_expression_times(copy(slopes[order]), copy(moved[order])));
     }
 }
 
@@ -196,7 +213,7 @@ static gboolean is_line(const TinkerMatrixBuilder *builder, TinkerBlockId block)
 void tinker_matrix_add_body(TinkerMatrixBuilder *builder, guint i)
 {
     const TinkerBodyEquation *equation = tinker_matrix_equation_of(builder, coordinate_at(builder, i)->body);
-    add(builder, TINKER_MATRIX_MASS, i * size_of(builder) + i, copy(equation->mass));
+    tinker_matrix_add(builder, TINKER_MATRIX_MASS, i, i, copy(equation->mass));
     for (guint k = 0; k < equation->terms->len; k++) {
         const TinkerTerm *term = &g_array_index(equation->terms, TinkerTerm, k);
         if (term->kind == TINKER_TERM_CONSTRAINT) builder->why = "a constraint holds it";

@@ -70,19 +70,9 @@ static void choose_coordinates(TinkerMatrixBuilder *builder, const TinkerIslandP
     }
 }
 
-/* FALSE with the reason where it has no such form. */
-static gboolean write_island(TinkerMatrixBuilder *builder, const TinkerIslandPlan *plan)
+/* Matrices of zeros; FALSE with the reason where there are too many coordinates. */
+static gboolean allot(TinkerMatrixBuilder *builder)
 {
-    gboolean connected = FALSE;
-    if (!plan->linear) {
-        builder->why = "it is not linear";
-        return FALSE;
-    }
-    if (plan->shafts) {
-        builder->why = "it is linear in the angles of its shafts, not along one line";
-        return FALSE;
-    }
-    choose_coordinates(builder, plan);
     const guint n = builder->island->coordinates->len;
     if (n == 0 || n > MOST_SPARSE) {
         builder->why = too_many;
@@ -95,7 +85,29 @@ static gboolean write_island(TinkerMatrixBuilder *builder, const TinkerIslandPla
             builder->island->matrices[kind] = zeros(n * n);
     }
     builder->island->load = zeros(n);
-    for (guint i = 0; i < n; i++)
+    return TRUE;
+}
+
+static gboolean write_shafts(TinkerMatrixBuilder *builder)
+{
+    g_autoptr(GArray) shafts = tinker_matrix_shafts(builder);
+    if (builder->why != NULL || !allot(builder)) return FALSE;
+    tinker_matrix_add_shafts(builder, shafts);
+    return builder->why == NULL;
+}
+
+/* FALSE with the reason where it has no such form. */
+static gboolean write_island(TinkerMatrixBuilder *builder, const TinkerIslandPlan *plan)
+{
+    gboolean connected = FALSE;
+    if (!plan->linear) {
+        builder->why = "it is not linear, or not in a way that the plan knows";
+        return FALSE;
+    }
+    if (plan->shafts) return write_shafts(builder);
+    choose_coordinates(builder, plan);
+    if (!allot(builder)) return FALSE;
+    for (guint i = 0; i < builder->island->coordinates->len; i++)
         tinker_matrix_add_body(builder, i);
     for (guint i = 0; i < builder->equations->lines->len; i++) {
         const TinkerLineEquation *line = g_ptr_array_index(builder->equations->lines, i);

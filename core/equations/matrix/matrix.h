@@ -5,13 +5,14 @@
 #include "equations/newton/equations.h"
 #include "physics/plan/plan.h"
 
-/* Along one line of a body's motion. */
+/* Along one line of a body's motion; or its angle. */
 typedef struct {
     char *symbol;
     TinkerBlockId body;
-    double direction[2];  /* unit vector */
-    TinkerExpression *is; /* of the body's place, m */
-    double about;         /* m: what x is counted from; */
+    gboolean turning;
+    double direction[2];  /* unit vector, of one that does not turn */
+    TinkerExpression *is; /* of the body's place, m, or its angle, rad */
+    double about;         /* what that is counted from; */
     double rounding;      /* how far rounding alone can have moved that */
 } TinkerMatrixCoordinate;
 

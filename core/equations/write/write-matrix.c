@@ -10,8 +10,13 @@
 #define ROUNDING     1e-12 /* damping ratios below it are 0 */
 #define MOST_WRITTEN 8     /* coordinates: beyond, patterns */
 
-static const TinkerDimension length = {0, 1, 0, 0}, frequency = {0, 0, -1, 1}, seconds = {0, 0, 1, 0},
-                             force = {1, 1, -2, 0};
+static const TinkerDimension frequency = {0, 0, -1, 1}, seconds = {0, 0, 1, 0};
+
+/* Of places along lines, and of angles. */
+static const struct {
+    TinkerDimension place, matrices[TINKER_MATRICES], load;
+} dimensions[] = {{{0, 1, 0, 0}, {{1, 0, 0, 0}, {1, 0, -1, 0}, {1, 0, -2, 0}}, {1, 1, -2, 0}},
+                  {{0, 0, 0, 1}, {{1, 2, 0, 0}, {1, 2, -1, -1}, {1, 2, -2, -1}}, {1, 2, -2, 0}}};
 
 static const TinkerMatrixCoordinate *coordinate_at(const TinkerMatrixIsland *island, guint number)
 {
@@ -63,13 +68,16 @@ static void write_coordinate(TinkerPage *page, const TinkerMatrixIsland *island,
     const TinkerMatrixCoordinate *each = coordinate_at(island, number);
     g_autofree char *is = tinker_page_expression(page, each->is);
     const double rest = fabs(each->about) <= each->rounding ? 0 : each->about;
-    g_autofree char *about = tinker_page_quantity(page, fabs(rest), length);
+    const TinkerDimension place = dimensions[each->turning].place;
+    g_autofree char *about = tinker_page_quantity(page, fabs(rest), place);
     char *right = rest == 0 ? g_strdup(is)
                             : g_strconcat(is, tinker_typeset_sign(page->format, rest > 0 ? '-' : '+'), about, NULL);
     tinker_page_equation(page, coordinate(page, island, number, 0), right,
-                         g_strdup(island->about_rest ? _("counted from rest") : _("its place")));
+                         g_strdup(island->about_rest ? _("counted from rest")
+                                  : each->turning    ? _("its angle")
+                                                     : _("its place")));
     tinker_page_equation(page, coordinate(page, island, number, 0),
-                         tinker_page_quantity(page, place_now(page, each), length),
+                         tinker_page_quantity(page, place_now(page, each), place),
                          g_strdup_printf(C_("equations", "at t = %g s"), page->equations->time));
 }
 
@@ -177,17 +185,21 @@ static double entry_value(const TinkerPage *page, const GPtrArray *entries, guin
     return tinker_equations_value(page->equations, g_ptr_array_index(entries, number));
 }
 
+static double state_value(const TinkerPage *page, TinkerBlockId body, const char *quantity)
+{
+    g_autofree char *name = g_strconcat(tinker_scene_block_name(page->equations->scene, body), ".", quantity, NULL);
+    g_autoptr(TinkerExpression) symbol = tinker_expression_symbol(name);
+    return tinker_equations_value(page->equations, symbol);
+}
+
 static double velocity(const TinkerPage *page, const TinkerMatrixCoordinate *coordinate)
 {
     static const char *const quantities[] = {"vx", "vy"};
     double along = 0;
-    for (int axis = 0; axis < 2; axis++) {
-        g_autofree char *name =
-            g_strconcat(tinker_scene_block_name(page->equations->scene, coordinate->body), ".", quantities[axis], NULL);
-        g_autoptr(TinkerExpression) symbol = tinker_expression_symbol(name);
-        const double value = tinker_equations_value(page->equations, symbol);
-        if (coordinate->direction[axis] != 0) along += coordinate->direction[axis] * value;
-    }
+    if (coordinate->turning) return state_value(page, coordinate->body, "rate");
+    for (int axis = 0; axis < 2; axis++)
+        if (coordinate->direction[axis] != 0)
+            along += coordinate->direction[axis] * state_value(page, coordinate->body, quantities[axis]);
     return along;
 }
 
@@ -231,15 +243,16 @@ static void drop_rounding(GArray *terms, double greatest)
 static void line_row(TinkerPage *page, const TinkerMatrixIsland *island, guint i, const Motion *motion)
 {
     const guint n = island->coordinates->len;
+    const TinkerDimension load = dimensions[coordinate_at(island, i)->turning].load;
     const TinkerEquationLine *line = tinker_page_line_balance(page);
     for (int order = 0; order < 3; order++)
         for (guint k = 0; k < n; k++) {
             const TinkerExpression *entry = g_ptr_array_index(island->matrices[order], i * n + k);
             g_autofree char *variable = coordinate(page, island, k, 2 - order);
             if (!tinker_expression_is_number(entry, 0))
-                tinker_page_add_terms(page, line->left_terms, entry, variable, motion->at[order][k], force);
+                tinker_page_add_terms(page, line->left_terms, entry, variable, motion->at[order][k], load);
         }
-    tinker_page_add_terms(page, line->terms, g_ptr_array_index(island->load, i), NULL, 1, force);
+    tinker_page_add_terms(page, line->terms, g_ptr_array_index(island->load, i), NULL, 1, load);
     const double greatest = fmax(greatest_value(line->left_terms), greatest_value(line->terms));
     drop_rounding(line->left_terms, greatest);
     drop_rounding(line->terms, greatest);
@@ -281,18 +294,19 @@ static void write_whole(TinkerPage *page, const TinkerMatrixIsland *island, char
 /* The matrices one below the other, as far as they are not 0. */
 static void write_matrices(TinkerPage *page, const TinkerMatrixIsland *island)
 {
-    static const TinkerDimension dimensions[] = {{1, 0, 0, 0}, {1, 0, -1, 0}, {1, 0, -2, 0}};
     const guint n = island->coordinates->len;
+    const gboolean turning = coordinate_at(island, 0)->turning;
     write_whole(page, island, NULL);
     tinker_page_gap(page);
     for (int kind = 0; kind < TINKER_MATRICES; kind++) {
         const TinkerPageMatrix matrix = {n, n, (const TinkerExpression *const *)(gpointer)island->matrices[kind]->pdata,
-                                         dimensions[kind]};
+                                         dimensions[turning].matrices[kind]};
         if (is_zero(island, kind)) continue;
         tinker_page_matrix(page, tinker_page_written(page, page_matrix_letters[kind], "", 0), &matrix);
         tinker_page_gap(page);
     }
-    const TinkerPageMatrix load = {n, 1, (const TinkerExpression *const *)(gpointer)island->load->pdata, force};
+    const TinkerPageMatrix load = {n, 1, (const TinkerExpression *const *)(gpointer)island->load->pdata,
+                                   dimensions[turning].load};
     tinker_page_matrix(page, tinker_page_written(page, "f", "", 0), &load);
     tinker_page_gap(page);
 }

@@ -224,7 +224,7 @@ static void add_coordinates(cJSON *object, const TinkerMatrixIsland *island)
         const TinkerMatrixCoordinate *coordinate = &g_array_index(island->coordinates, TinkerMatrixCoordinate, i);
         cJSON *each = cJSON_CreateObject();
         cJSON_AddStringToObject(each, "symbol", coordinate->symbol);
-        cJSON_AddStringToObject(each, "unit", "m");
+        cJSON_AddStringToObject(each, "unit", coordinate->turning ? "rad" : "m");
         cJSON_AddItemToObject(each, "is", expression_json(coordinate->is));
         cJSON_AddItemToArray(list, each);
         cJSON_AddNumberToObject(about, coordinate->symbol, coordinate->about);
