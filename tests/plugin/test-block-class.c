@@ -265,9 +265,13 @@ SPOIL(spoil_role_size, m->line_law.struct_size = 0)
 SPOIL(spoil_rows, m->physics.line_law = NULL; m->physics.constraint = &m->constraint; m->constraint.rows = 0)
 SPOIL(spoil_role_ends, m->physics.line_law = NULL; m->physics.motion = &m->motion)
 SPOIL(spoil_body, m->physics.line_law = NULL; m->physics.body = &m->body)
-SPOIL(spoil_body_mass, m->physics.body = &m->body; m->properties[PLACE].meaning = TINKER_MEANING_POSITION)
-SPOIL(spoil_freedoms, m->physics.body = &m->body; m->body.degrees_of_freedom = 1)
-SPOIL(spoil_shape, m->physics.body = &m->body; m->body.shape = 5)
+SPOIL(spoil_body_mass, m->physics.line_law = NULL; m->physics.body = &m->body;
+      m->properties[PLACE].meaning = TINKER_MEANING_POSITION)
+SPOIL(spoil_body_role, m->physics.body = &m->body)
+SPOIL(spoil_body_ends, m->physics.line_law = NULL; m->physics.body = &m->body; m->body.degrees_of_freedom = 0;
+      m->properties[PLACE].meaning = TINKER_MEANING_POSITION)
+SPOIL(spoil_freedoms, m->physics.line_law = NULL; m->physics.body = &m->body; m->body.degrees_of_freedom = 1)
+SPOIL(spoil_shape, m->physics.line_law = NULL; m->physics.body = &m->body; m->body.shape = 5)
 
 static const Fault faults[] = {
     {"category", spoil_category,
@@ -353,6 +357,10 @@ static const Fault faults[] = {
     {"role-size", spoil_role_size, "struct_size of TinkerLineLaw is 0, at least 8 is needed"},
     {"rows", spoil_rows, "its constraint has 0 rows, at least 1 was expected"},
     {"role-ends", spoil_role_ends, "it is a motion and has 2 to 2 ends, 1 was expected"},
+    {"body-role", spoil_body_role,
+     "it is a body and fills another role, that of a field alone goes with it (a field acts on all bodies, this one "
+     "among them)"},
+    {"body-ends", spoil_body_ends, "it is a body and has 2 to 2 ends, 0 was expected"},
     {"body", spoil_body, "it is a body, but no property means its position"},
     {"body-mass", spoil_body_mass, "it is a body, but no property means its mass"},
     {"freedoms", spoil_freedoms, "its body has 1 degrees of freedom, 0, 2 or 3 was expected"},

@@ -33,7 +33,10 @@ GArray *tinker_book_panels(double from, double to, const GArray *cuts, int panel
     for (guint i = 0; i <= cuts->len; i++) {
         const TinkerBookCut cut = i < cuts->len ? g_array_index(cuts, TinkerBookCut, i) : (TinkerBookCut){to, to};
         const double whole = cut.first - begin;
-        const int count = (int)ceil(panels * whole / (to - from)); /* none behind a cut at the end */
+        /* none beside a cut at the start or the end: its points would not all lie before the look at what jumps there
+         */
+        const gboolean narrow = whole <= 2 * BEFORE * DBL_EPSILON * fabs(cut.first) / BEYOND;
+        const int count = narrow ? 0 : (int)ceil(panels * whole / (to - from));
         for (int k = 0; k < count; k++) {
             const TinkerBookPanel panel = {
                 .from = begin + whole * k / count, .to = begin + whole * (k + 1) / count, .piece = i};

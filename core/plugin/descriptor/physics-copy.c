@@ -57,6 +57,9 @@ static gboolean check_roles(const TinkerPhysics *physics, GError **error)
         return tinker_refuse(error, "its physics fills %d roles, the body's and one more at most were expected",
                              others + (physics->body != NULL));
     if (others == 0 && physics->body == NULL) return tinker_refuse(error, "its physics fills no role");
+    if (others > 0 && physics->body != NULL && physics->field == NULL)
+        return tinker_refuse(error, "it is a body and fills another role, that of a field alone goes with it (a field "
+                                    "acts on all bodies, this one among them)");
     return TRUE;
 }
 
@@ -67,10 +70,9 @@ static gboolean check_ends(const char *role, int32_t expected, const TinkerBlock
                          type->most_ends, expected);
 }
 
-/* A block that is itself a body has its own centre as its one end, whatever it declares. */
 static gboolean check_role_ends(const TinkerPhysics *physics, const TinkerBlockType *type, GError **error)
 {
-    if (physics->body != NULL) return TRUE;
+    if (physics->body != NULL) return check_ends("body", 0, type, error);
     if (physics->line_law != NULL) return check_ends("line law", 2, type, error);
     if (physics->motion != NULL) return check_ends("motion", 1, type, error);
     if (physics->field != NULL) return check_ends("field", 0, type, error);
@@ -117,7 +119,7 @@ const TinkerPhysics *tinker_physics_copy(const void *vtable, const TinkerBlockCl
         return NULL;
     }
     const gboolean passed = copy_roles(physics, arena, error) && check_roles(physics, error) &&
-                            check_functions(physics, error) && check_role_ends(physics, block_class->type, error) &&
-                            check_body(physics->body, block_class, error);
+                            check_functions(physics, error) && check_body(physics->body, block_class, error) &&
+                            check_role_ends(physics, block_class->type, error);
     return passed ? physics : NULL;
 }

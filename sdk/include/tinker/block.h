@@ -189,8 +189,9 @@ typedef struct TinkerBatch {
     int32_t law_count;            /* laws of each instance: the properties with TINKER_TEXT_LAW, in order */
     const char *failure;          /* likewise: static text, what is wrong and what would be right */
     const struct TinkerTypedLaw *const *laws; /* of instance i from i * law_count on; NULL: an empty text */
-    const double *end_masses; /* kg: of a force element, the mass of what each end is on, INFINITY of a support, laid
-                                 out as its ends; NULL elsewhere */
+    const double *end_masses; /* kg: of a force element with a text of the kind TINKER_TEXT_LAW, in `force` and
+                                 `energy`: the mass of what each end is on, INFINITY of a support, laid out as its
+                                 ends; NULL elsewhere */
     /* Of roles that ask for angles (physics.h), in calls that have ends, and indexed as those are; else NULL. */
     const TinkerPose *poses;             /* how what each end is on is turned: a mass not at all */
     const TinkerPoint *placed;           /* the ends where the scene places them, at t = 0, ... */

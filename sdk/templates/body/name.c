@@ -11,7 +11,7 @@ enum { QUANTITY_ANGULAR_MOMENTUM = 6 };
 
 /* A body has no law of its own: it says how it can move, and the host integrates m a = F. Which of its properties are
  * its mass, place and velocity is said by their `.meaning` below. 2 degrees of freedom: a point mass; 0: its place is a
- * known function of time. A body may fill one more role: a force that it exerts, say. */
+ * known function of time. A body may be a field as well, and nothing else. */
 static const TinkerBody body = {.struct_size = sizeof(TinkerBody), .degrees_of_freedom = 2, .shape = TINKER_SHAPE_NONE};
 static const TinkerPhysics physics = {.struct_size = sizeof(TinkerPhysics), .body = &body};
 
