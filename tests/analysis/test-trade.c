@@ -171,6 +171,36 @@ static void test_unsuitable(void)
     g_assert_cmpint(trade->advice.kind, ==, TINKER_TRADE_ADVICE_NONE);
 }
 
+/* A disc on a torsional spring turns as a mass on a spring moves, whose place is the disc's radius of gyration times
+ * the angle: their errors are alike, step for step. */
+static void test_turning(void)
+{
+    static const char *const blocks[] = {
+        "{'type': 'support', 'solid': false}, {'type': 'disc', 'mass': 2, 'radius': 0.5, 'position': [0, 0], "
+        "'angular_velocity': 2, 'solid': false}, {'type': 'pin', 'ends': ['Support 0', 'Disc 0']},"
+        "{'type': 'torsional-spring', 'ends': ['Support 0', 'Disc 0'], 'stiffness': 10}",
+        "{'type': 'support', 'solid': false}, {'type': 'mass', 'mass': 2, 'position': [0, 0], 'velocity': "
+        "[0.70710678118654757, 0]}, {'type': 'spring', 'ends': ['Support 0', 'Mass 0'], 'stiffness': 80, "
+        "'rest_length': 0}"};
+    static const char *const methods[] = {"rk4", NULL};
+    TinkerTradeOptions options = trade_options_for(2);
+    options.methods = methods;
+    g_autoptr(TinkerScene) turns = physics_scene(NULL, blocks[0]), moves = physics_scene(NULL, blocks[1]);
+    g_autoptr(TinkerTrade) turning = trade_until(turns, &options, has_level),
+                           moving = trade_until(moves, &options, has_level);
+    const TinkerTradeMethod *disc = trade_method_of(turning, "rk4"), *mass = trade_method_of(moving, "rk4");
+    guint compared = 0;
+    physics_assert_near("extent", turning->reference.extent, moving->reference.extent, 1e-4);
+    for (guint i = 0; i < disc->rows->len; i++)
+        for (guint k = 0; k < mass->rows->len; k++) {
+            const TinkerTradeRow *one = trade_row_of(disc, i), *other = trade_row_of(mass, k);
+            if (one->setting.value != other->setting.value || !(other->error > 100 * LEVEL)) continue;
+            physics_assert_near("error", one->error / other->error, 1, 1e-3);
+            compared++;
+        }
+    g_assert_cmpuint(compared, >=, 3);
+}
+
 static void add_tests(void)
 {
     for (gsize i = 0; i < TRADE_MOTIONS; i++) {
@@ -180,6 +210,7 @@ static void add_tests(void)
         g_test_add_data_func(errors, &trade_motions[i], test_errors);
     }
     g_test_add_func("/trade/unpredictable", test_unpredictable);
+    g_test_add_func("/trade/turning", test_turning);
     g_test_add_func("/trade/rest", test_rest);
     g_test_add_func("/trade/diverging", test_diverging);
     g_test_add_func("/trade/unsuitable", test_unsuitable);

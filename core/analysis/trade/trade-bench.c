@@ -28,18 +28,44 @@ static gboolean is_body(TinkerScene *scene, TinkerBlockId block)
     return block_class != NULL && block_class->physics != NULL && block_class->physics->body != NULL;
 }
 
-/* Places and velocities of the bodies, out of what a record holds. */
+static gboolean is_speed(const TinkerColumn *column)
+{
+    static const TinkerDimension velocity = TINKER_DIMENSION_VELOCITY, rate = TINKER_DIMENSION_ANGULAR_FREQUENCY;
+    return tinker_dimension_equal(column->dimension, velocity) || tinker_dimension_equal(column->dimension, rate);
+}
+
+static gboolean is_angle(const TinkerColumn *column)
+{
+    static const TinkerDimension angle = TINKER_DIMENSION_ANGLE;
+    return tinker_dimension_equal(column->dimension, angle);
+}
+
+/* The states of the bodies, out of what a record holds. */
 static GArray *state_columns(TinkerScene *scene)
 {
-    static const TinkerDimension length = TINKER_DIMENSION_LENGTH, velocity = TINKER_DIMENSION_VELOCITY;
+    static const TinkerDimension length = TINKER_DIMENSION_LENGTH;
     GArray *columns = tinker_columns_default(scene);
     for (guint i = columns->len; i-- > 0;) {
         const TinkerColumn *column = &g_array_index(columns, TinkerColumn, i);
-        gboolean wanted = is_body(scene, column->block) && (tinker_dimension_equal(column->dimension, length) ||
-                                                            tinker_dimension_equal(column->dimension, velocity));
-        if (!wanted) g_array_remove_index(columns, i);
+        const gboolean is_state =
+            tinker_dimension_equal(column->dimension, length) || is_angle(column) || is_speed(column);
+        if (!is_body(scene, column->block) || !is_state) g_array_remove_index(columns, i);
     }
     return columns;
+}
+
+/* A body that turns has all its columns in m and m/s. */
+static double *arms_of(const TinkerTradeBench *bench)
+{
+    static const TinkerDimension rate = TINKER_DIMENSION_ANGULAR_FREQUENCY;
+    double *arms = g_new(double, MAX(bench->columns->len, 1));
+    for (guint i = 0; i < bench->columns->len; i++) {
+        const TinkerColumn *column = &g_array_index(bench->columns, TinkerColumn, i);
+        const double mass = tinker_frame_meaning(bench->frame, column->block, TINKER_MEANING_MASS, 0, 1);
+        const double inertia = tinker_frame_meaning(bench->frame, column->block, TINKER_MEANING_INERTIA, 0, 0);
+        arms[i] = is_angle(column) || tinker_dimension_equal(column->dimension, rate) ? sqrt(inertia / mass) : 1;
+    }
+    return arms;
 }
 
 static int by_value(const void *a, const void *b)
@@ -74,6 +100,7 @@ gboolean tinker_trade_bench_init(TinkerTradeBench *bench, TinkerScene *scene, co
     if (bench->model == NULL) return FALSE;
     bench->frame = tinker_frame_new(scene, error);
     if (bench->frame == NULL) return FALSE;
+    bench->arms = arms_of(bench);
     choose_times(bench);
     if (bench->duration > 0 && isfinite(bench->duration)) return TRUE;
     g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_METHOD,
@@ -88,6 +115,7 @@ void tinker_trade_bench_clear(TinkerTradeBench *bench)
     g_clear_pointer(&bench->model, tinker_model_free);
     g_clear_pointer(&bench->columns, g_array_unref);
     g_clear_pointer(&bench->times, g_free);
+    g_clear_pointer(&bench->arms, g_free);
 }
 
 double tinker_trade_bench_elapsed(const TinkerTradeBench *bench)
@@ -165,16 +193,15 @@ static void widen_box(Sampling *sampling)
 }
 
 /* The largest speed of any body in one sample; the columns of a body stand side by side. */
-static double largest_speed(const TinkerTradeBench *bench, const double *values)
+static double largest_speed(const TinkerTradeBench *bench, const double *state)
 {
-    static const TinkerDimension velocity = TINKER_DIMENSION_VELOCITY;
     double largest = 0, sum = 0;
     TinkerBlockId last = TINKER_NO_BLOCK;
     for (guint i = 0; i < bench->columns->len; i++) {
         const TinkerColumn *column = &g_array_index(bench->columns, TinkerColumn, i);
         if (column->block != last) sum = 0;
         last = column->block;
-        if (tinker_dimension_equal(column->dimension, velocity)) sum += values[i] * values[i];
+        if (is_speed(column)) sum += state[i] * state[i];
         largest = fmax(largest, sum);
     }
     return sqrt(largest);
@@ -185,16 +212,36 @@ static gboolean take_sample(TinkerSimulation *simulation, double time, const dou
     Sampling *sampling = data;
     TinkerTrajectory *trajectory = sampling->trajectory;
     if (trajectory->count >= sampling->bench->time_count) return TRUE;
-    memcpy(trajectory->states + trajectory->count++ * trajectory->width, values, trajectory->width * sizeof(double));
+    double *state = trajectory->states + trajectory->count++ * trajectory->width;
+    for (gsize i = 0; i < trajectory->width; i++)
+        state[i] = values[i] * sampling->bench->arms[i];
     if (!tinker_simulation_place(simulation, sampling->bench->frame, error)) return FALSE;
     widen_box(sampling);
-    trajectory->speed = fmax(trajectory->speed, largest_speed(sampling->bench, values));
+    trajectory->speed = fmax(trajectory->speed, largest_speed(sampling->bench, state));
     return TRUE;
 }
 
-static void close_trajectory(TinkerTrajectory *trajectory, const TinkerSummary *summary, const double box[4])
+/* How far a body is turned to and fro, by the radius of gyration; all around is twice that. */
+static double widest_turn(const TinkerTradeBench *bench, const TinkerTrajectory *trajectory)
+{
+    double widest = 0;
+    for (guint i = 0; i < bench->columns->len; i++) {
+        if (!is_angle(&g_array_index(bench->columns, TinkerColumn, i))) continue;
+        double least = INFINITY, greatest = -INFINITY;
+        for (gsize row = 0; row < trajectory->count; row++) {
+            least = fmin(least, trajectory->states[row * trajectory->width + i]);
+            greatest = fmax(greatest, trajectory->states[row * trajectory->width + i]);
+        }
+        widest = fmax(widest, fmin(greatest - least, 2 * bench->arms[i]));
+    }
+    return widest;
+}
+
+static void close_trajectory(const TinkerTradeBench *bench, TinkerTrajectory *trajectory, const TinkerSummary *summary,
+                             const double box[4])
 {
     trajectory->extent = box[0] <= box[1] ? hypot(box[1] - box[0], box[3] - box[2]) : 0;
+    trajectory->extent = fmax(trajectory->extent, widest_turn(bench, trajectory));
     trajectory->steps = summary->steps;
     trajectory->evaluations = summary->evaluations;
     trajectory->touches = summary->contact_changes > 0;
@@ -217,7 +264,7 @@ gboolean tinker_trade_bench_sample(TinkerTradeBench *bench, TinkerTradeSetting s
         done = tinker_simulation_run(simulation, bench->columns, take_sample, &sampling, error);
     }
     if (done)
-        close_trajectory(trajectory, tinker_simulation_summary(simulation), sampling.box);
+        close_trajectory(bench, trajectory, tinker_simulation_summary(simulation), sampling.box);
     else
         tinker_trajectory_clear(trajectory);
     return done;
@@ -277,7 +324,6 @@ double tinker_trade_bench_time(TinkerTradeBench *bench, TinkerTradeSetting setti
 double tinker_trade_bench_distance(const TinkerTradeBench *bench, const TinkerTrajectory *left,
                                    const TinkerTrajectory *right, gsize samples, double extent, double speed)
 {
-    static const TinkerDimension velocity = TINKER_DIMENSION_VELOCITY;
     double largest = 0, duration = bench->duration;
     if (left->count < samples || right->count < samples) return INFINITY;
     /* What stands still, or has no extent, is measured by what it has. */
@@ -288,7 +334,7 @@ double tinker_trade_bench_distance(const TinkerTradeBench *bench, const TinkerTr
         double sum = 0;
         for (guint i = 0; i < bench->columns->len; i++) {
             const TinkerColumn *column = &g_array_index(bench->columns, TinkerColumn, i);
-            double scale = tinker_dimension_equal(column->dimension, velocity) ? speed : extent;
+            double scale = is_speed(column) ? speed : extent;
             double part = (a[i] - b[i]) / scale;
             sum += part * part;
         }

@@ -9,7 +9,8 @@
 typedef struct {
     TinkerModel *model;
     TinkerFrame *frame;
-    GArray *columns; /* of TinkerColumn: places and velocities of the bodies */
+    GArray *columns; /* of TinkerColumn: places, velocities, angles and their rates of the bodies */
+    double *arms;    /* m: what each column is multiplied by, the radius of gyration of angles; else 1 */
     double *times;   /* s, ascending, none at 0 */
     gsize time_count;
     double duration;
@@ -25,7 +26,7 @@ typedef struct {
 typedef struct {
     gsize count, width; /* samples, and numbers a sample */
     double *states;
-    double extent, speed; /* of the motion */
+    double extent, speed; /* of the motion, turning by the radius of gyration: an angle counts up to its diameter */
     gint64 steps, evaluations;
     gboolean touches; /* bodies touched plates */
     double energy_error, constraint_error;
