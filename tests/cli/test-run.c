@@ -189,6 +189,14 @@ static void test_with(CliFixture *fixture, gconstpointer data)
     g_assert_cmpfloat(fabs(g_ascii_strtod(cells[1], NULL) - 2 - cos(5)), <, 1e-6);
     g_assert_cmpfloat(fabs(g_ascii_strtod(cells[3], NULL) - 2 - cos(10)), <, 1e-5);
     g_assert_cmpstr(cells[5], ==, cells[1]);
+    /* one axis has the units of the first */
+    g_auto(GStrv) head = g_strsplit(OSCILLATOR, "\"tinker\": 1,", 2);
+    g_autofree char *in_feet = g_strjoinv("\"tinker\": 1, \"units\": \"English\",", head),
+                    *feet = cli_write(fixture, "feet.json", in_feet);
+    g_autoptr(TestProgram) units = cli_run_well(fixture, "graph @a.json 'Mass 0.x' --with @feet.json -o -");
+    g_auto(GStrv) alike = g_strsplit(units->output, "\n", -1), both = g_strsplit(alike[2], ",", -1);
+    g_assert_cmpuint(g_strv_length(both), ==, 4);
+    g_assert_cmpstr(both[3], ==, cells[1]);
     /* what is wrong is told of the file that it is wrong in */
     g_autofree char *none =
         cli_write(fixture, "other.json", "{\"tinker\": 1, \"blocks\": [{\"type\": \"mass\", \"name\": \"Ball\"}]}");
@@ -198,12 +206,13 @@ static void test_with(CliFixture *fixture, gconstpointer data)
     } wrong[] = {{"graph @a.json 'Mass 0.x' --with @other.json -o -",
                   "other.json: column \"Mass 0.x\": the scene has no block \"Mass 0\"", 2},
                  {"graph @a.json 'Mass 0.x' --with @none.csv -o -", "none.csv cannot be read, or is empty", 2},
+                 {"graph @a.json 'Mass 0.x' --statistics --with @b.json", "--with", 2},
                  {"graph @a.json 'Mass 0.x*2' --with @b.json -o -",
                   "in an expression quantities stand in braces, as in {Mass 0.x}*2", 2}};
     for (gsize i = 0; i < G_N_ELEMENTS(wrong); i++) {
         g_autoptr(TestProgram) refused = cli_run_badly(fixture, wrong[i].arguments, wrong[i].status);
         cli_assert_holds(refused->error, wrong[i].told);
-        g_assert_cmpint(strstr(refused->error, "--with: ") == NULL, ==, i == 2);
+        g_assert_cmpint(strstr(refused->error, "--with: ") == NULL, ==, i >= 2);
     }
     g_autoptr(TestProgram) lacks = cli_run_badly(fixture, "graph @a.json 'Mass 0.ax' --with @a.csv -o -", 2);
     cli_assert_holds(lacks->error, "has no column \"Mass 0.ax\"");

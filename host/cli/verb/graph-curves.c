@@ -96,6 +96,7 @@ static TinkerChart *chart_of_scene(const TinkerGraphOptions *options, gboolean c
 {
     TinkerRunOptions run_options;
     g_auto(TinkerSceneRun) run = {0};
+    tinker_scene_head(other->scene)->units = tinker_scene_head(scene)->units; /* one axis has one unit */
     g_autoptr(TinkerChart) chart = tinker_chart_new(other->scene);
     if (!tinker_graph_add_curves(chart, options, other->name, names, error)) return NULL;
     if (!tinker_run_arguments_apply(&options->run, other->scene, &run_options, error)) return NULL;

@@ -44,9 +44,11 @@ static gboolean statistics(const TinkerGraphOptions *options, const TinkerOpenSc
     const TinkerAskedOutput outputs[] = {{"--json", options->json}, {NULL, NULL}};
     g_autoptr(TinkerFileSet) files = tinker_open_scene_files(open);
     g_autoptr(TinkerChart) chart = tinker_chart_new(open->scene);
-    if (options->output != NULL || options->against != NULL) {
-        g_set_error(error, TINKER_CLI_ERROR, TINKER_CLI_ERROR_USAGE,
-                    "--statistics draws nothing, and measures curves over time (leave out --output and --against)");
+    if (options->output != NULL || options->against != NULL || options->with != NULL) {
+        g_set_error(
+            error, TINKER_CLI_ERROR, TINKER_CLI_ERROR_USAGE,
+            "--statistics draws nothing, and measures curves of one run over time (leave out --output, --against "
+            "and --with)");
         return FALSE;
     }
     if (!tinker_outputs_add(files, outputs, error)) return FALSE;
