@@ -55,6 +55,7 @@ void tinker_step_control_accept(TinkerStepControl *control, double h, double err
     control->h = cut_short && !rejected ? fmax(next, control->h) : next;
     control->last_error = fmax(error, TINKER_LEAST_ERROR);
     control->usual = fmax(h, FADING * control->usual);
+    control->lately = fmax(h, FADING * control->lately);
 }
 
 int tinker_step_control_reject(TinkerStepControl *control, double t, double h, double error)

@@ -23,6 +23,7 @@ typedef struct TinkerStepControl {
     double h;          /* the step to try next, s; 0: not known yet */
     double last_error; /* of the last accepted step */
     double usual;      /* s: how long steps were lately, however short they are now; 0: not known */
+    double lately;     /* s: the same, whatever was forgotten since */
 } TinkerStepControl;
 
 /* What an error in q and one in v are divided by. */

@@ -37,4 +37,10 @@
 /* No unit; of the tolerance: what counts as the last error in the controller's memory is at least this. Held by: -. */
 #define TINKER_LEAST_ERROR 1e-4
 
+/* No unit; of the usual step, and of the speed that a force brings about within one: trials that are shorter, and
+ * motions that are slower, are those of something that sets in. Held by: physics-typed-start. */
+#define TINKER_CUT_DOWN 1e-3
+/* No unit; of the time: a force that sets in does so no more exactly. Held by: physics-typed-start. */
+#define TINKER_SETS_IN (256 * DBL_EPSILON)
+
 #endif

@@ -16,6 +16,8 @@
 #define PARTS 8
 /* Fixed steps that are looked at together, where the law is gentle over all of them. */
 #define GROUP 8
+/* Of the usual length of adaptive steps, from one that is shorter to the next. */
+#define FADING 0.9
 /* Parts of one step in which what may have been missed is searched. */
 #define MOST_LOOKS 2000
 
@@ -34,6 +36,7 @@ struct _TinkerLawWatch {
     double work, error;      /* of projections, where the step began */
     double most;             /* s: the next step goes no farther; INFINITY */
     double speed;            /* m/s: of the fastest, where the laws are looked at */
+    double usual;            /* s: how long steps were lately, however short they are now */
 };
 
 TinkerLawWatch *tinker_law_watch_new(TinkerIslandRun *run)
@@ -93,6 +96,14 @@ static double let_pass(const TinkerLawWatch *self, double mass, double share)
     return mass * fmax(share * self->speed, TINKER_LAW_NOTHING);
 }
 
+/* Whether a law that changes by so much (N) sets in on what is at rest, within a step that is a tolerance of the usual
+ * one: beside the speed that it gives in one of these nothing is missed. */
+static gboolean sets_in(const TinkerLawWatch *self, double mass, const TinkerLawStep *step, double change)
+{
+    return step->to - step->from <= PARTS * PARTS * self->run->choice.tolerance * self->usual &&
+           mass * self->speed <= TINKER_LAW_AT_REST * change * self->usual;
+}
+
 /* The first part of the step in which a law is not gentle and matters: where it begins, of the first where it ends, as
  * a share of the step; 1 where there is none. */
 static double first_rough(const TinkerLawWatch *self, const TinkerLawForce *law, const TinkerLawStep *step)
@@ -103,7 +114,7 @@ static double first_rough(const TinkerLawWatch *self, const TinkerLawForce *law,
     const double part = (step->to - step->from) / PARTS;
     for (int i = 0; i < PARTS; i++)
         if (!tinker_law_enclose(law, step, (double)i / PARTS, (double)(i + 1) / PARTS, &force) &&
-            !((force.high - force.low) * part <= passes))
+            !((force.high - force.low) * part <= passes) && !sets_in(self, law->mass, step, force.high - force.low))
             return (double)MAX(i, 1) / PARTS;
     return 1;
 }
@@ -284,6 +295,7 @@ static TinkerStatus step_adaptively(TinkerLawWatch *self, double limit, TinkerSt
         const double h = run->state.t - from, share = h <= least ? 1 : gentle_share(self, &step);
         if (share >= 1) {
             self->most = 2 * fmax(h, self->most);
+            self->usual = fmax(h, FADING * self->usual);
             break;
         }
         status = go_back(self);

@@ -1,0 +1,68 @@
+/* Typed laws that set in after a while on what is at rest, against closed forms: nothing else tells how far off a step
+ * is. */
+#include <math.h>
+
+#include "physics-fixture.h"
+
+#define FORCE(law) "{'type': 'mass'}, {'type': 'law-force', 'ends': ['Mass 0'], 'force_x': '" law "'}"
+
+/* Where it is at 2 s, and how fast. */
+static void assert_comes_to(const PhysicsOptions *options, const char *blocks, double x, double v, double bound)
+{
+    PhysicsOptions with = *options;
+    with.duration = 2;
+    with.estimate = TRUE;
+    with.columns = "Mass 0.x, Mass 0.vx";
+    g_autoptr(PhysicsRun) run = physics_run(&with, "%s", blocks);
+    const double off = fmax(fabs(physics_last(run, 0) - x) / (1 + fabs(x)), fabs(physics_last(run, 1) - v) / (1 + v));
+    const double estimate = tinker_simulation_summary(run->simulation)->error_estimate;
+    g_test_message("%s: off by %.3g, and says %.3g", blocks, off, estimate);
+    physics_assert_near("place", physics_last(run, 0), x, bound);
+    physics_assert_near("speed", physics_last(run, 1), v, bound);
+    g_assert_cmpfloat(estimate, <, 1e-8);
+}
+
+static void test_alone(void)
+{
+    static const struct {
+        const char *blocks;
+        double x, v;
+    } cases[] = {
+        {FORCE("5*step(t-1)"), 2.5, 5},     {FORCE("5*pulse(t,1,1.5)"), 1.875, 2.5}, {FORCE("if(t<1,0,1)"), 0.5, 1},
+        {FORCE("ramp(t-1)"), 1.0 / 6, 0.5}, {FORCE("5*(t>1)*(t<1.5)"), 1.875, 2.5},
+    };
+    static const char *const methods[] = {"auto", "dopri5", "dop853"};
+    for (gsize i = 0; i < G_N_ELEMENTS(cases); i++)
+        for (gsize k = 0; k < G_N_ELEMENTS(methods); k++)
+            assert_comes_to(&(PhysicsOptions){.method = methods[k]}, cases[i].blocks, cases[i].x, cases[i].v, 1e-8);
+}
+
+/* Nearly at rest, or away from the origin, or between two ends. */
+static void test_beside_others(void)
+{
+    assert_comes_to(&(PhysicsOptions){0},
+                    "{'type': 'mass', 'velocity': [1e-9, 0]},"
+                    "{'type': 'law-force', 'ends': ['Mass 0'], 'force_x': '5*step(t-1)'}",
+                    2.5 + 2e-9, 5 + 1e-9, 1e-8);
+    assert_comes_to(&(PhysicsOptions){0},
+                    "{'type': 'support', 'solid': false}, {'type': 'mass', 'position': [1, 0]},"
+                    "{'type': 'law-connector', 'ends': ['Support 0', 'Mass 0'], 'tension': '-5*step(t-1)'}",
+                    3.5, 5, 1e-8);
+    const double w = sqrt(50);
+    assert_comes_to(&(PhysicsOptions){0},
+                    "{'type': 'support', 'solid': false, 'position': [-2, 0]}, {'type': 'mass'},"
+                    "{'type': 'spring', 'ends': ['Support 0', 'Mass 0'], 'stiffness': 50, 'rest_length': 2},"
+                    "{'type': 'law-force', 'ends': ['Mass 0'], 'force_x': '5*step(t-1)'}",
+                    0.1 * (1 - cos(w)), 0.1 * w * sin(w), 1e-8);
+}
+
+static void add_tests(void)
+{
+    g_test_add_func("/physics/typed-start/alone", test_alone);
+    g_test_add_func("/physics/typed-start/beside-others", test_beside_others);
+}
+
+int main(int argc, char **argv)
+{
+    return physics_main(argc, argv, add_tests);
+}
