@@ -205,7 +205,10 @@ void tinker_law_watch_tell(TinkerLawWatch *self)
     for (guint i = 0; i < self->forces->len; i++) {
         const TinkerLawMissed *missed = missed_of(self, i);
         if (missed == NULL) continue;
-        const TinkerBlockId block = g_array_index(self->forces, TinkerLawForce, i).block;
+        const TinkerLawForce *law = &g_array_index(self->forces, TinkerLawForce, i);
+        const TinkerBlockId block = law->block;
+        double *most = &self->run->summary.missed;
+        *most = fmax(*most, missed->impulse / (missed->impulse + law->mass * self->speed));
         tinker_summary_warn_of_method(
             &self->run->summary,
             g_strdup_printf(_("%s: at about t = %.6g s its law changes by %.3g N within a small part of a "

@@ -70,6 +70,7 @@ static void add_run(TinkerSummary *whole, TinkerIslandRun *run)
     whole->simulated_s = fmin(whole->simulated_s, part->simulated_s);
     whole->valid_until = fmin(whole->valid_until, part->valid_until);
     whole->determined_until = fmin(whole->determined_until, part->determined_until);
+    whole->missed = fmax(whole->missed, part->missed);
     whole->constraint_position_error = fmax(whole->constraint_position_error, part->constraint_position_error);
     whole->constraint_velocity_error = fmax(whole->constraint_velocity_error, part->constraint_velocity_error);
     add_energy(whole, part);

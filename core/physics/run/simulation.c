@@ -98,6 +98,7 @@ static void add_up(TinkerSimulation *simulation)
     tinker_island_runs_add_up(simulation->all);
     if (simulation->estimate == NULL || !simulation->ended) return;
     summary->error_estimate = tinker_simulation_error(simulation);
+    if (summary->error_estimate < summary->missed) summary->error_estimate = summary->missed;
     summary->predictable_until = tinker_estimate_predictable_until(simulation->estimate);
 }
 
