@@ -14,6 +14,8 @@
 /* Of how far the logarithms of ways lie off a line: ways that lie that much nearer to a line of their own, in units of
  * their mean, fall by an amount, as dry friction has it, and by no share. */
 #define OF_AMOUNTS 0.1
+/* Logarithms that lie nearer to a line than this are on it, and fall by a share. */
+#define STRAIGHT 1e-6
 /* Of the longest way: how far ways may go back where all others become less, or more. */
 #define ONE_WAY 0.01
 /* Of the range and of the period: how far a pattern of extrema may differ from the one before. */
@@ -129,7 +131,7 @@ static gboolean falls_by_amount(const GArray *extrema, double off_line)
     const guint ways = extrema->len - 1;
     g_autofree double *lengths = g_new(double, ways);
     double squares = 0, sum = 0;
-    if (ways < 3) return FALSE;
+    if (ways < 3 || off_line < STRAIGHT) return FALSE;
     for (guint i = 0; i < ways; i++)
         sum += lengths[i] = tinker_extremum_way(extrema, i);
     farthest(lengths, ways, slope_of(lengths, ways), &squares);

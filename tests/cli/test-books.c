@@ -222,8 +222,6 @@ static void test_struck(CliFixture *fixture, gconstpointer data)
     cJSON_Delete(root);
 }
 
-/* With p from the floor and r (1, 1) from the rod: A changes by (-r, p - r), B by (r, r), and along the rod by the
- * same: r = p / 4, and 3 p / 4 = 6. */
 static void test_blow_that_is_held(CliFixture *fixture, gconstpointer data)
 {
     static const Expected expected[] = {{"impacts/0/work", 1.2},   {"impacts/0/impulse/0", 4},
@@ -235,6 +233,8 @@ static void test_blow_that_is_held(CliFixture *fixture, gconstpointer data)
     cJSON_Delete(root);
 }
 
+/* With p from the floor and r (1, 1) from the rod: A changes by (-r, p - r), B by (r, r), and along the rod by the
+ * same: r = p / 4, and 3 p / 4 = 6. */
 static void test_dumbbell(CliFixture *fixture, gconstpointer data)
 {
     static const Expected expected[] = {

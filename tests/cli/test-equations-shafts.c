@@ -68,7 +68,7 @@ static void test_two_discs(CliFixture *fixture, gconstpointer data)
     cJSON_Delete(root);
 }
 
-/* Of what a weld holds no equation is left; a gear on an arm that turns ties three angles. */
+/* Gears that gainsay one another leave nothing that turns, nor does a weld to what stands. */
 static void test_without_form(CliFixture *fixture, gconstpointer data)
 {
     static const char *const scenes[] = {

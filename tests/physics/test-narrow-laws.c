@@ -43,6 +43,22 @@ static void test_from_rest(void)
         g_autoptr(PhysicsRun) run = run_law("dop853", rests);
         physics_assert_near("speed", physics_last(run, 1), 0.1 * sqrt(G_PI) / 2, 1e-9);
     }
+    /* between the stages of a loose tolerance */
+    g_autoptr(PhysicsRun) loose = physics_run(
+        &(PhysicsOptions){.duration = 3, .method = "dopri5", .tolerance = 1e-4, .columns = "Mass 0.vx"},
+        "{'type': 'mass'}, {'type': 'law-force', 'ends': ['Mass 0'], 'force_x': '5e3*pulse(t,1.0007,1.0014)'}");
+    physics_assert_near("speed", physics_last(loose, 0), 3.5, 1e-2);
+}
+
+/* A wall that throws a mass back within 3e-5 s, after a long flight. */
+static void test_wall(void)
+{
+    g_autoptr(PhysicsRun) run = physics_run(
+        &(PhysicsOptions){.duration = 25, .tolerance = 1e-9, .estimate = TRUE, .columns = "Mass 0.x, Mass 0.vx"},
+        "{'type': 'mass', 'velocity': [1, 0]},"
+        "{'type': 'law-force', 'ends': ['Mass 0'], 'force_x': '-1e10*max(x-10,0)'}");
+    physics_assert_near("speed", physics_last(run, 1), -1, 1e-8);
+    physics_assert_near("place", physics_last(run, 0), G_PI / 1e5 - 5, 1e-7);
 }
 
 /* The energy of the mass is 1 J: a barrier of 2 J throws it back, one of 0.9 J lets it pass as fast as it came. */
@@ -160,6 +176,7 @@ static void add_tests(void)
     g_test_add_func("/physics/narrow-laws/estimate-of-missed", test_estimate_of_missed);
     g_test_add_func("/physics/narrow-laws/pulses", test_pulses);
     g_test_add_func("/physics/narrow-laws/from-rest", test_from_rest);
+    g_test_add_func("/physics/narrow-laws/wall", test_wall);
     g_test_add_func("/physics/narrow-laws/barriers", test_barriers);
     g_test_add_func("/physics/narrow-laws/steps", test_steps);
     g_test_add_func("/physics/narrow-laws/curved-ways", test_curved_ways);

@@ -28,10 +28,16 @@ static gboolean is_body(TinkerScene *scene, TinkerBlockId block)
     return block_class != NULL && block_class->physics != NULL && block_class->physics->body != NULL;
 }
 
+static gboolean is_rate(const TinkerColumn *column)
+{
+    static const TinkerDimension rate = TINKER_DIMENSION_ANGULAR_FREQUENCY;
+    return tinker_dimension_equal(column->dimension, rate);
+}
+
 static gboolean is_speed(const TinkerColumn *column)
 {
-    static const TinkerDimension velocity = TINKER_DIMENSION_VELOCITY, rate = TINKER_DIMENSION_ANGULAR_FREQUENCY;
-    return tinker_dimension_equal(column->dimension, velocity) || tinker_dimension_equal(column->dimension, rate);
+    static const TinkerDimension velocity = TINKER_DIMENSION_VELOCITY;
+    return tinker_dimension_equal(column->dimension, velocity) || is_rate(column);
 }
 
 static gboolean is_angle(const TinkerColumn *column)
@@ -57,13 +63,12 @@ static GArray *state_columns(TinkerScene *scene)
 /* A body that turns has all its columns in m and m/s. */
 static double *arms_of(const TinkerTradeBench *bench)
 {
-    static const TinkerDimension rate = TINKER_DIMENSION_ANGULAR_FREQUENCY;
     double *arms = g_new(double, MAX(bench->columns->len, 1));
     for (guint i = 0; i < bench->columns->len; i++) {
         const TinkerColumn *column = &g_array_index(bench->columns, TinkerColumn, i);
         const double mass = tinker_frame_meaning(bench->frame, column->block, TINKER_MEANING_MASS, 0, 1);
         const double inertia = tinker_frame_meaning(bench->frame, column->block, TINKER_MEANING_INERTIA, 0, 0);
-        arms[i] = is_angle(column) || tinker_dimension_equal(column->dimension, rate) ? sqrt(inertia / mass) : 1;
+        arms[i] = is_angle(column) || is_rate(column) ? sqrt(inertia / mass) : 1;
     }
     return arms;
 }

@@ -33,8 +33,8 @@ GArray *tinker_book_panels(double from, double to, const GArray *cuts, int panel
     for (guint i = 0; i <= cuts->len; i++) {
         const TinkerBookCut cut = i < cuts->len ? g_array_index(cuts, TinkerBookCut, i) : (TinkerBookCut){to, to};
         const double whole = cut.first - begin;
-        /* none beside a cut at the start or the end: its points would not all lie before the look at what jumps there
-         */
+        /* none in a piece whose points would not all lie before the look at what jumps at its end: what a force does
+         * in so short a time is left out */
         const gboolean narrow = whole <= 2 * BEFORE * DBL_EPSILON * fabs(cut.first) / BEYOND;
         const int count = narrow ? 0 : (int)ceil(panels * whole / (to - from));
         for (int k = 0; k < count; k++) {

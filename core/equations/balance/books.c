@@ -122,7 +122,7 @@ static GArray *cuts_of(TinkerScene *scene, const TinkerBooks *books, const GPtrA
     g_autoptr(GArray) cuts = g_array_new(FALSE, FALSE, sizeof(double));
     for (guint i = 0; i < instants->len; i++)
         g_array_append_val(cuts, ((TinkerBookInstant *)g_ptr_array_index(instants, i))->time);
-    for (double t = tinker_model_next_break(model, books->from, books->to); isfinite(t) && t < books->to;
+    for (double t = tinker_model_next_break(model, books->from, books->to); isfinite(t);
          t = tinker_model_next_break(model, t, books->to))
         g_array_append_val(cuts, t);
     g_array_sort(cuts, by_value);

@@ -29,7 +29,7 @@ void tinker_matrix_add_body(TinkerMatrixBuilder *builder, guint i);
 void tinker_matrix_add_pull(TinkerMatrixBuilder *builder, const TinkerLineEquation *line, int end);
 
 /* Bodies on fixed axes (matrix-shafts.c): adds the coordinates of what turns, and answers how all of them turn with
- * these. NULL with `why` where that cannot be told. (transfer full) */
+ * these; sets `why` where that cannot be told. (transfer full) */
 GArray *tinker_matrix_shafts(TinkerMatrixBuilder *builder);
 /* The inertias of all of them, and the torques on them. */
 void tinker_matrix_add_shafts(TinkerMatrixBuilder *builder, const GArray *shafts);

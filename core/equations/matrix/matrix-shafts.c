@@ -1,7 +1,7 @@
 /* Bodies on fixed axes: one coordinate for what turns together. What a gear or a weld says of two angles,
  * s_a theta_a + s_b theta_b = constant, makes each of them a multiple of the first one's, theta = ratio q + constant,
- * and its torque acts on that one as the ratio times itself (the work is the same). What a joint says of one angle
- * alone holds that. */
+ * and its torque acts on that one as the ratio times itself (the work is the same). The plan knows as shafts what has
+ * such rows over angles alone, none of which gainsays another. */
 #include <float.h>
 #include <math.h>
 #include <string.h>
@@ -10,12 +10,9 @@
 #include "law/build.h"
 #include "law/derivative.h"
 
-/* Of the larger one: two slopes that differ by less say the same. */
-#define SAME 1e-12
-
 typedef struct {
     const TinkerBodyEquation *equation;
-    int leader;                 /* which of them it turns with: itself, or one before it; -1: it is held */
+    int leader;                 /* which of them it turns with: itself, or one before it */
     TinkerExpression *ratio;    /* how far it turns while that turns by 1 */
     TinkerExpression *state[2]; /* its angle and its rate */
     TinkerExpression *constant; /* rad: its angle where q is 0 */
@@ -57,12 +54,6 @@ static GArray *shafts_of(const TinkerMatrixBuilder *builder)
 /* Angles -----------------------------------------------------------------------------------------------------------
  */
 
-static void hold(GArray *shafts, int leader)
-{
-    for (guint i = 0; i < shafts->len; i++)
-        if (shaft_at(shafts, i)->leader == leader) shaft_at(shafts, i)->leader = -1;
-}
-
 /* What turns with shaft b turns with what shaft a turns with, from now on. */
 static void follow(GArray *shafts, const Shaft *a, const TinkerExpression *slope_a, const Shaft *b,
                    const TinkerExpression *slope_b)
@@ -79,48 +70,23 @@ static void follow(GArray *shafts, const Shaft *a, const TinkerExpression *slope
     }
 }
 
-static void tie(const TinkerMatrixBuilder *builder, GArray *shafts, const int which[2], TinkerExpression *slopes[2])
-{
-    const Shaft *a = shaft_at(shafts, (guint)which[0]), *b = shaft_at(shafts, (guint)which[1]);
-    if (a->leader < 0 || b->leader < 0) {
-        hold(shafts, MAX(a->leader, b->leader));
-        return;
-    }
-    if (a->leader == b->leader) { /* it says once more what is known, or leaves nothing that turns */
-        const double one = tinker_equations_value(builder->equations, slopes[0]) *
-                           tinker_equations_value(builder->equations, a->ratio);
-        const double other = tinker_equations_value(builder->equations, slopes[1]) *
-                             tinker_equations_value(builder->equations, b->ratio);
-        if (fabs(one + other) > SAME * fmax(fabs(one), fabs(other))) hold(shafts, a->leader);
-        return;
-    }
-    if (a->leader < b->leader)
-        follow(shafts, a, slopes[0], b, slopes[1]);
-    else
-        follow(shafts, b, slopes[1], a, slopes[0]);
-}
-
-/* What one constraint says of the angles. FALSE: of more than two of them. */
-static gboolean take_constraint(const TinkerMatrixBuilder *builder, GArray *shafts,
-                                const TinkerConstraintEquation *constraint)
+/* What one constraint says of the angles. */
+static void take_constraint(TinkerMatrixBuilder *builder, GArray *shafts, const TinkerConstraintEquation *constraint)
 {
     g_autoptr(TinkerExpression) g = tinker_matrix_written_out(builder, constraint->g);
-    TinkerExpression *slopes[2] = {NULL, NULL};
-    int which[2], count = 0;
-    for (guint i = 0; i < shafts->len && count <= 2; i++) {
-        if (!tinker_expression_uses(g, shaft_at(shafts, i)->state[0]->name)) continue;
-        if (count < 2) {
-            which[count] = (int)i;
-            slopes[count] = tinker_expression_derivative_by(g, shaft_at(shafts, i)->state[0]->name);
-        }
-        count++;
-    }
-    if (count == 1 && shaft_at(shafts, (guint)which[0])->leader >= 0)
-        hold(shafts, shaft_at(shafts, (guint)which[0])->leader);
-    if (count == 2) tie(builder, shafts, which, slopes);
-    for (int k = 0; k < 2; k++)
-        g_clear_pointer(&slopes[k], tinker_expression_unref);
-    return count <= 2;
+    const Shaft *tied[2] = {NULL, NULL};
+    int count = 0;
+    for (guint i = 0; i < shafts->len; i++)
+        if (tinker_expression_uses(g, shaft_at(shafts, i)->state[0]->name) && count++ < 2)
+            tied[count - 1] = shaft_at(shafts, i);
+    if (count == 1 || count > 2) builder->why = "a constraint holds it";
+    if (count != 2 || tied[0]->leader == tied[1]->leader) return; /* or it says once more what is known */
+    g_autoptr(TinkerExpression) first = tinker_expression_derivative_by(g, tied[0]->state[0]->name);
+    g_autoptr(TinkerExpression) second = tinker_expression_derivative_by(g, tied[1]->state[0]->name);
+    if (tied[0]->leader < tied[1]->leader)
+        follow(shafts, tied[0], first, tied[1], second);
+    else
+        follow(shafts, tied[1], second, tied[0], first);
 }
 
 /* Of what turns with another the angle at q = 0 is what that leaves of its angle now. */
@@ -130,10 +96,8 @@ static void find_constants(const TinkerMatrixBuilder *builder, GArray *shafts)
         Shaft *shaft = shaft_at(shafts, i);
         const double angle = tinker_equations_value(builder->equations, shaft->state[0]);
         const double turned =
-            shaft->leader < 0
-                ? 0
-                : tinker_equations_value(builder->equations, shaft->ratio) *
-                      tinker_equations_value(builder->equations, shaft_at(shafts, (guint)shaft->leader)->state[0]);
+            tinker_equations_value(builder->equations, shaft->ratio) *
+            tinker_equations_value(builder->equations, shaft_at(shafts, (guint)shaft->leader)->state[0]);
         const double rounding = 8 * DBL_EPSILON * (fabs(angle) + fabs(turned));
         shaft->constant = tinker_expression_number(fabs(angle - turned) <= rounding ? 0 : angle - turned);
     }
@@ -167,7 +131,7 @@ static void add_torque(TinkerMatrixBuilder *builder, const GArray *shafts, const
     g_autoptr(TinkerExpression) written = tinker_matrix_written_out(builder, torque);
     for (guint i = 0; i < shafts->len; i++) {
         const Shaft *shaft = shaft_at(shafts, i);
-        for (int order = 0; order < 2 && shaft->leader >= 0; order++) {
+        for (int order = 0; order < 2; order++) {
             if (!tinker_expression_uses(written, shaft->state[order]->name)) continue;
             g_autoptr(TinkerExpression) slope = tinker_expression_derivative_by(written, shaft->state[order]->name);
             if (tinker_matrix_uses_state(builder, slope)) builder->why = "a torque on it is not linear";
@@ -200,22 +164,18 @@ static void add_shaft(TinkerMatrixBuilder *builder, const GArray *shafts, const 
 
 GArray *tinker_matrix_shafts(TinkerMatrixBuilder *builder)
 {
-    g_autoptr(GArray) shafts = shafts_of(builder);
+    GArray *shafts = shafts_of(builder);
     for (guint i = 0; i < builder->equations->constraints->len; i++)
-        if (!take_constraint(builder, shafts, g_ptr_array_index(builder->equations->constraints, i))) {
-            builder->why = "a gear on an arm that turns ties three of its angles";
-            return NULL;
-        }
+        take_constraint(builder, shafts, g_ptr_array_index(builder->equations->constraints, i));
     for (guint i = 0; i < shafts->len; i++)
         if (shaft_at(shafts, i)->leader == (int)i)
             tinker_matrix_add_angle(builder, shaft_at(shafts, i)->equation->block);
-    if (builder->island->coordinates->len == 0) builder->why = "its joints leave nothing that turns";
     find_constants(builder, shafts);
-    return g_steal_pointer(&shafts);
+    return shafts;
 }
 
 void tinker_matrix_add_shafts(TinkerMatrixBuilder *builder, const GArray *shafts)
 {
     for (guint i = 0; i < shafts->len; i++)
-        if (shaft_at(shafts, i)->leader >= 0) add_shaft(builder, shafts, shaft_at(shafts, i));
+        add_shaft(builder, shafts, shaft_at(shafts, i));
 }

@@ -33,17 +33,26 @@ static double measure_all(RkStepper *stepper, double h, TinkerErrorScale scale, 
     return tinker_tableau_join_errors(error, measure(stepper, &stepper->scheme->second_error, h, scale, tangent));
 }
 
+/* The largest of what any acceleration changes by within the trial: of what goes on as before it is a small part, of a
+ * force that sets in all. */
+static double change_of_force(const RkStepper *stepper)
+{
+    double change = 0;
+    for (int stage = 1; stage < stepper->scheme->tableau->stages; stage++)
+        for (int32_t i = 0; i < stepper->system->size; i++)
+            change = fmax(change, fabs(stepper->a[stage][i] - stepper->a[0][i]));
+    return change;
+}
+
 /* A force that sets in on what is at rest, within a step, has nothing to be measured by but what it does itself in that
  * step, however short that is. Where the trials have been cut down to a small part of the usual step, it counts as what
  * it brings about in a part of one of those, where that is far more than all there is. */
 static void begin_scale(const RkStepper *stepper, TinkerErrorScale *scale)
 {
-    const double usual = stepper->control.lately;
-    double force = 0;
-    for (int stage = 0; stage < stepper->scheme->tableau->stages; stage++)
-        force = fmax(force, tinker_largest(stepper->system->size, stepper->a[stage]));
-    if (!(scale->v < TINKER_CUT_DOWN * stepper->control.tolerance * usual * force)) return;
-    const double late = fmax(TINKER_CUT_DOWN * stepper->control.tolerance * usual, TINKER_SETS_IN * fabs(stepper->t1));
+    const double usual = stepper->control.usual_before, tolerance = stepper->control.tolerance;
+    const double force = change_of_force(stepper);
+    if (!(scale->v < TINKER_CUT_DOWN * tolerance * usual * force)) return;
+    const double late = fmax(TINKER_CUT_DOWN * tolerance * usual, TINKER_SETS_IN * fabs(stepper->t1));
     scale->v = fmax(scale->v, late * force);
     scale->q = fmax(scale->q, late * usual * force);
 }
@@ -63,7 +72,7 @@ static double find_error_of_motion(RkStepper *stepper, double h)
     if (!isfinite(tinker_largest(n, stepper->q)) || !isfinite(tinker_largest(n, stepper->v))) return INFINITY;
     TinkerErrorScale scale = tinker_error_scale(stepper->system, &stepper->control, h, stepper->q0, stepper->v0,
                                                 stepper->q, stepper->v, stepper->a[0]);
-    if (h < TINKER_CUT_DOWN * stepper->control.lately) begin_scale(stepper, &scale);
+    if (h < TINKER_CUT_DOWN * stepper->control.usual_before) begin_scale(stepper, &scale);
     double error = measure_all(stepper, h, scale, FALSE);
     if (!(error > TINKER_FAR_OFF) || !isfinite(error)) return error;
     if (!tinker_is_constrained(stepper->system) || stepper->system->books > 0) return error;

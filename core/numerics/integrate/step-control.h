@@ -17,13 +17,16 @@ typedef struct TinkerStepLaw {
     double greatest_factor;
 } TinkerStepLaw;
 
+/* What is left of the usual length of steps, from one that is shorter to the next. */
+#define TINKER_USUAL_FADES 0.9
+
 typedef struct TinkerStepControl {
     const TinkerStepLaw *law;
     double tolerance;
-    double h;          /* the step to try next, s; 0: not known yet */
-    double last_error; /* of the last accepted step */
-    double usual;      /* s: how long steps were lately, however short they are now; 0: not known */
-    double lately;     /* s: the same, whatever was forgotten since */
+    double h;            /* the step to try next, s; 0: not known yet */
+    double last_error;   /* of the last accepted step */
+    double usual;        /* s: how long steps were lately, however short they are now; 0: not known */
+    double usual_before; /* s: how long steps were lately, kept by tinker_step_control_forget */
 } TinkerStepControl;
 
 /* What an error in q and one in v are divided by. */

@@ -5,6 +5,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "numerics/integrate/step-control.h"
 #include "physics/force/law-paths.h"
 #include "physics/limit/tolerances.h"
 #include "physics/model/model-data.h"
@@ -16,8 +17,8 @@
 #define PARTS 8
 /* Fixed steps that are looked at together, where the law is gentle over all of them. */
 #define GROUP 8
-/* Of the usual length of adaptive steps, from one that is shorter to the next. */
-#define FADING 0.9
+/* Tolerances of the usual step: shorter ones resolve a law that sets in. */
+#define RESOLVES 64
 /* Parts of one step in which what may have been missed is searched. */
 #define MOST_LOOKS 2000
 
@@ -96,12 +97,14 @@ static double let_pass(const TinkerLawWatch *self, double mass, double share)
     return mass * fmax(share * self->speed, TINKER_LAW_NOTHING);
 }
 
-/* Whether a law that changes by so much (N) sets in on what is at rest, within a step that is a tolerance of the usual
- * one: beside the speed that it gives in one of these nothing is missed. */
-static gboolean sets_in(const TinkerLawWatch *self, double mass, const TinkerLawStep *step, double change)
+/* Whether a law sets in on what is at rest, within a step that is short beside the usual one: it is another at the end
+ * of the step than at its start, and goes on so, and beside the speed that it gives in a usual step nothing is missed.
+ */
+static gboolean sets_in(const TinkerLawWatch *self, const TinkerLawForce *law, const TinkerLawStep *step)
 {
-    return step->to - step->from <= PARTS * PARTS * self->run->choice.tolerance * self->usual &&
-           mass * self->speed <= TINKER_LAW_AT_REST * change * self->usual;
+    if (step->to - step->from > RESOLVES * self->run->choice.tolerance * self->usual) return FALSE;
+    const double change = fabs(tinker_law_force_at(law, step, 1) - tinker_law_force_at(law, step, 0));
+    return law->mass * self->speed < TINKER_LAW_AT_REST * change * self->usual;
 }
 
 /* The first part of the step in which a law is not gentle and matters: where it begins, of the first where it ends, as
@@ -114,7 +117,7 @@ static double first_rough(const TinkerLawWatch *self, const TinkerLawForce *law,
     const double part = (step->to - step->from) / PARTS;
     for (int i = 0; i < PARTS; i++)
         if (!tinker_law_enclose(law, step, (double)i / PARTS, (double)(i + 1) / PARTS, &force) &&
-            !((force.high - force.low) * part <= passes) && !sets_in(self, law->mass, step, force.high - force.low))
+            !((force.high - force.low) * part <= passes) && !sets_in(self, law, step))
             return (double)MAX(i, 1) / PARTS;
     return 1;
 }
@@ -206,7 +209,6 @@ void tinker_law_watch_tell(TinkerLawWatch *self)
         const TinkerLawMissed *missed = missed_of(self, i);
         if (missed == NULL) continue;
         const TinkerLawForce *law = &g_array_index(self->forces, TinkerLawForce, i);
-        const TinkerBlockId block = law->block;
         double *most = &self->run->summary.missed;
         *most = fmax(*most, missed->impulse / (missed->impulse + law->mass * self->speed));
         tinker_summary_warn_of_method(
@@ -214,7 +216,7 @@ void tinker_law_watch_tell(TinkerLawWatch *self)
             g_strdup_printf(_("%s: at about t = %.6g s its law changes by %.3g N within a small part of a "
                               "step of %.3g s, which %s does not resolve (take an adaptive method, such as "
                               "dopri5, or a much smaller step)"),
-                            tinker_scene_block_name(self->model->scene, block), missed->at, missed->change,
+                            tinker_scene_block_name(self->model->scene, law->block), missed->at, missed->change,
                             missed->step, self->run->choice.method->id));
     }
 }
@@ -298,7 +300,7 @@ static TinkerStatus step_adaptively(TinkerLawWatch *self, double limit, TinkerSt
         const double h = run->state.t - from, share = h <= least ? 1 : gentle_share(self, &step);
         if (share >= 1) {
             self->most = 2 * fmax(h, self->most);
-            self->usual = fmax(h, FADING * self->usual);
+            self->usual = fmax(h, TINKER_USUAL_FADES * self->usual);
             break;
         }
         status = go_back(self);

@@ -10,7 +10,8 @@
 #include "physics/linearise/tolerances.h"
 #include "physics/model/state.h"
 
-/* No two are alike in anything that comes again after less than a second or some seconds, or sets in late. */
+/* s: without common multiples, so that a law that comes again is not met at one phase each time; late ones for laws
+ * that set in late. */
 static const double times[] = {1e-3, 0.0137, 0.1, 0.37, 1.13, 2.9, 7.3, 31, 117};
 
 typedef enum { LINES, ELEMENTS, FIELDS } Kind;
@@ -138,6 +139,7 @@ void tinker_linearise_add_varying(TinkerModel *model, const double *q, double ex
             }
         }
     }
+    model->failure = ""; /* a law that has no value at one of these times fails nothing */
     tinker_model_set_state(model, probe.q[0], probe.v[0]);
     probe_clear(&probe);
 }

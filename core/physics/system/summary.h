@@ -56,8 +56,8 @@ typedef struct {
                                         velocities onto the constraints */
     double error_estimate;       /* of the state: the largest so far, over the island's extent and largest speed;
                                     NAN without an estimate */
-    double missed;               /* of the speed that it would make: the largest impulse of a typed law that fixed steps
-                                    passed over, which no companion sees; the error estimate is no less */
+    double missed;               /* no unit: the share of the speed that the largest impulse of a typed law would make
+                                    which fixed steps passed over; no companion sees it, and error_estimate is no less */
     double predictable_until;    /* s: where that passed a tenth; INFINITY where it did not */
     double accuracy;             /* that was asked for; 0: none */
     GArray *tries;               /* of TinkerTry, this run the last, where an accuracy was to be held; else empty */

@@ -11,14 +11,12 @@
 #include "law/value.h"
 #include "units/expression/expression-tree.h"
 
-#define DECIMALS 5
-/* In units: what these decimals show fewer than three digits of, or a field does not hold; what rounding makes of 0;
- * and the significant digits of the former. */
-#define TOO_SMALL 1e-3
-#define TOO_LONG  1e9
-#define ROUNDING  1e-12
-#define DIGITS    6
-#define NOTHING   1e-30
+#define DECIMALS  5
+#define TOO_SMALL 1e-3  /* units: of less the decimals show fewer than three digits */
+#define TOO_LONG  1e9   /* units: so much is wider than a field */
+#define ROUNDING  1e-12 /* units: less is what rounding leaves of a place at 0 */
+#define DIGITS    6     /* significant ones, of what has an exponent */
+#define NOTHING   1e-30 /* in SI: less is what blows and rounding leave of a measured 0 */
 
 /* Of the user's locale, which the program itself does not write numbers by. */
 static gboolean locale_has_comma(void)
