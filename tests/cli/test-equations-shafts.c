@@ -60,7 +60,7 @@ static void test_two_discs(CliFixture *fixture, gconstpointer data)
     const cJSON *island = cJSON_GetArrayItem(cJSON_GetObjectItem(root, "islands"), 0);
     for (int i = 0; i < 2; i++) {
         const double omega = number(island, "omega", i), zeta = number(island, "zeta", i);
-        const double complex s = omega * CMPLX(-zeta, sqrt(1 - zeta * zeta)), link = 30 + 4 * s;
+        const double complex s = omega * (-zeta + I * sqrt(1 - zeta * zeta)), link = 30 + 4 * s;
         const double complex a = 2 * s * s + 50 + link, b = 5 * s * s + link;
         g_assert_cmpfloat(cabs(a * b - link * link), <, 1e-11 * cabs(a * b));
     }

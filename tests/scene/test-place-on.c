@@ -73,8 +73,8 @@ static void test_bodies_that_turn(void)
     static const char *const bodies[] = {
         "{\"type\": \"box\", \"name\": \"B\", \"on\": \"Incline\", \"along\": 2, \"width\": 0.4, \"height\": 0.8}",
         "{\"type\": \"disc\", \"name\": \"B\", \"on\": \"Incline\", \"along\": 2, \"radius\": 0.4}",
-        "{\"type\": \"box\", \"name\": \"B\", \"on\": \"Incline\", \"along\": 2, \"width\": 0.4, \"height\": 0.4, "
-        "\"orientation\": \"75 deg\"}"};
+        ("{\"type\": \"box\", \"name\": \"B\", \"on\": \"Incline\", \"along\": 2, \"width\": 0.4, \"height\": 0.4, "
+         "\"orientation\": \"75 deg\"}")};
     for (gsize i = 0; i < G_N_ELEMENTS(bodies); i++) {
         g_autofree char *blocks = g_strconcat(bodies[i], ", " INCLINE, NULL);
         g_autoptr(TinkerScene) scene = scene_fixture_read_blocks(blocks);

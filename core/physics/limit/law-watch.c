@@ -5,7 +5,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "numerics/integrate/step-control.h"
 #include "physics/force/law-paths.h"
 #include "physics/limit/tolerances.h"
 #include "physics/model/model-data.h"
@@ -300,7 +299,7 @@ static TinkerStatus step_adaptively(TinkerLawWatch *self, double limit, TinkerSt
         const double h = run->state.t - from, share = h <= least ? 1 : gentle_share(self, &step);
         if (share >= 1) {
             self->most = 2 * fmax(h, self->most);
-            self->usual = fmax(h, TINKER_USUAL_FADES * self->usual);
+            self->usual = fmax(h, TINKER_LAW_FADING * self->usual);
             break;
         }
         status = go_back(self);

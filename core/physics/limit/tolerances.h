@@ -26,6 +26,8 @@
 /* No unit; of the speed that a typed law gives in a usual step: what is slower is at rest. Held by:
  * physics-typed-start. */
 #define TINKER_LAW_AT_REST 1e-3
+/* No unit; of the usual length of steps, from one that is shorter to the next. Held by: -. */
+#define TINKER_LAW_FADING 0.9
 /* No unit; of the time, or of a step: shorter ones are not divided for what a typed law does in them. */
 #define TINKER_LAW_LEAST 1e-11
 /* No unit; of the extent: ends so near to each other are at one place but for rounding. */
