@@ -10,6 +10,7 @@
 #define SAFETY        0.9
 #define STRETCH       1.01 /* how much longer a step may become so as to land: the safety covers it */
 #define FACTOR_BROKEN 0.1  /* after a trial whose error is not a number */
+#define FADING        0.9  /* of the usual length of steps, from one that is shorter to the next */
 /* A motion that is small beside the extent may be this much faster than the extent tells; what looks faster still is
  * the rounding of a velocity and a force that both vanish. */
 #define LOCAL_RATE_CAP 1e4
@@ -54,8 +55,8 @@ void tinker_step_control_accept(TinkerStepControl *control, double h, double err
     int cut_short = STRETCH * h < control->h; /* not by the rounding of t alone */
     control->h = cut_short && !rejected ? fmax(next, control->h) : next;
     control->last_error = fmax(error, TINKER_LEAST_ERROR);
-    control->usual = fmax(h, TINKER_USUAL_FADES * control->usual);
-    control->usual_before = fmax(h, TINKER_USUAL_FADES * control->usual_before);
+    control->usual = fmax(h, FADING * control->usual);
+    control->usual_before = fmax(h, FADING * control->usual_before);
 }
 
 int tinker_step_control_reject(TinkerStepControl *control, double t, double h, double error)

@@ -17,9 +17,6 @@ typedef struct TinkerStepLaw {
     double greatest_factor;
 } TinkerStepLaw;
 
-/* What is left of the usual length of steps, from one that is shorter to the next. */
-#define TINKER_USUAL_FADES 0.9
-
 typedef struct TinkerStepControl {
     const TinkerStepLaw *law;
     double tolerance;
