@@ -103,6 +103,15 @@ static void assert_numbers(const cJSON *root, const Expected *expected, gsize co
     }
 }
 
+/* That the numbers of a whole answer are these. */
+static void assert_answer(CliFixture *fixture, const char *scene, const char *words, const Expected *expected,
+                          gsize count)
+{
+    cJSON *root = json_of(fixture, scene, words);
+    assert_numbers(root, expected, count);
+    cJSON_Delete(root);
+}
+
 /* The force begins with a jump and lets go with a kink, both between any two times that are looked at. Shortened by
  * x = v/w e^(-2 t) sin w t, w^2 = 400 - 2^2, it pushes with 400 x + 4 dx/dt until tan w t = -4 w/(400 - 8). */
 static void test_bumper(CliFixture *fixture, gconstpointer data)
@@ -148,9 +157,7 @@ static void test_throw(CliFixture *fixture, gconstpointer data)
         {"momentum/residual", 0},
         {"angular/residual", 0},
     };
-    cJSON *root = json_of(fixture, THROWN, "books @scene.json --to 1 --about 2,1 --as json");
-    assert_numbers(root, expected, G_N_ELEMENTS(expected));
-    cJSON_Delete(root);
+    assert_answer(fixture, THROWN, "books @scene.json --to 1 --about 2,1 --as json", expected, G_N_ELEMENTS(expected));
 }
 
 static void test_bounce(CliFixture *fixture, gconstpointer data)
@@ -187,21 +194,15 @@ static void test_ends_at_impact(CliFixture *fixture, gconstpointer data)
         {"momentum/residual", 0},
         {"energy/residual", 0},
     };
-    cJSON *root = json_of(fixture, DROPPED, "books @scene.json --to 0.4 --as json");
-    assert_numbers(root, lands, G_N_ELEMENTS(lands));
-    cJSON_Delete(root);
+    assert_answer(fixture, DROPPED, "books @scene.json --to 0.4 --as json", lands, G_N_ELEMENTS(lands));
     static const Expected leaves[] = {
         {"energy/kinetic/0", 6}, {"momentum/momentum/0/1", 6}, {"momentum/momentum/1/1", 3}, {"momentum/residual", 0}};
-    root = json_of(fixture, DROPPED, "books @scene.json --from 0.4 --to 0.5 --as json");
-    assert_numbers(root, leaves, G_N_ELEMENTS(leaves));
-    cJSON_Delete(root);
+    assert_answer(fixture, DROPPED, "books @scene.json --from 0.4 --to 0.5 --as json", leaves, G_N_ELEMENTS(leaves));
     static const Expected struck[] = {{"momentum/impulses/Blow/0", 4},
                                       {"energy/work/Blow", 2},
                                       {"momentum/momentum/1/0", 4},
                                       {"momentum/residual", 0}};
-    root = json_of(fixture, STRUCK, "books @scene.json --to 0.25 --as json");
-    assert_numbers(root, struck, G_N_ELEMENTS(struck));
-    cJSON_Delete(root);
+    assert_answer(fixture, STRUCK, "books @scene.json --to 0.25 --as json", struck, G_N_ELEMENTS(struck));
 }
 
 /* What a joint answers to a blow is the joint's. */
@@ -212,14 +213,10 @@ static void test_struck(CliFixture *fixture, gconstpointer data)
         {"momentum/residual", 0},        {"energy/residual", 0},  {"angular/residual", 0},
         {"momentum/momentum/1/0", 4},
     };
-    cJSON *root = json_of(fixture, STRUCK, "books @scene.json --to 0.5 --as json");
-    assert_numbers(root, expected, G_N_ELEMENTS(expected));
-    cJSON_Delete(root);
+    assert_answer(fixture, STRUCK, "books @scene.json --to 0.5 --as json", expected, G_N_ELEMENTS(expected));
     static const Expected behind[] = {
         {"momentum/impulses/Rod/0", 3}, {"energy/work/Rod", 1.5}, {"momentum/residual", 0}, {"energy/residual", 0}};
-    root = json_of(fixture, STRUCK, "books @scene.json --block B --to 0.5 --as json");
-    assert_numbers(root, behind, G_N_ELEMENTS(behind));
-    cJSON_Delete(root);
+    assert_answer(fixture, STRUCK, "books @scene.json --block B --to 0.5 --as json", behind, G_N_ELEMENTS(behind));
 }
 
 static void test_blow_that_is_held(CliFixture *fixture, gconstpointer data)
@@ -228,9 +225,7 @@ static void test_blow_that_is_held(CliFixture *fixture, gconstpointer data)
                                         {"impacts/1/work", -1.2},  {"impacts/1/impulse/0", -4},
                                         {"energy/work/Blow", 1.2}, {"momentum/impulses/Blow/0", 4},
                                         {"momentum/residual", 0},  {"energy/residual", 0}};
-    cJSON *root = json_of(fixture, CARRIED, "books @scene.json --to 0.3 --as json");
-    assert_numbers(root, expected, G_N_ELEMENTS(expected));
-    cJSON_Delete(root);
+    assert_answer(fixture, CARRIED, "books @scene.json --to 0.3 --as json", expected, G_N_ELEMENTS(expected));
 }
 
 /* With p from the floor and r (1, 1) from the rod: A changes by (-r, p - r), B by (r, r), and along the rod by the
@@ -241,10 +236,8 @@ static void test_dumbbell(CliFixture *fixture, gconstpointer data)
         {"momentum/impulses/Floor/0", 0}, {"momentum/impulses/Floor/1", 8}, {"energy/work/Floor", -8},
         {"momentum/residual", 0},         {"energy/residual", 0},           {"angular/residual", 0},
     };
-    cJSON *root = json_of(fixture, DUMBBELL, "books @scene.json --to 0.45 --as json");
-    assert_numbers(root, expected, G_N_ELEMENTS(expected));
-    cJSON_Delete(root);
-    root = json_of(fixture, DUMBBELL, "books @scene.json --block B --from 0.39 --to 0.4000001 --as json");
+    assert_answer(fixture, DUMBBELL, "books @scene.json --to 0.45 --as json", expected, G_N_ELEMENTS(expected));
+    cJSON *root = json_of(fixture, DUMBBELL, "books @scene.json --block B --from 0.39 --to 0.4000001 --as json");
     g_assert_cmpfloat(fabs(number_at(root, "momentum/impulses/Rod/0") - 2), <, 1e-5);
     g_assert_cmpfloat(fabs(number_at(root, "momentum/impulses/Rod/1") - 2), <, 1e-5);
     g_assert_cmpfloat(number_at(root, "energy/residual"), <, 1e-8);
@@ -283,9 +276,7 @@ static void test_dropped_together(CliFixture *fixture, gconstpointer data)
         {"momentum/impulses/Floor/1", 18}, {"energy/work/Floor", -18}, {"momentum/residual", 0}, {"energy/residual", 0},
         {"angular/residual", 0},
     };
-    cJSON *root = json_of(fixture, DROPPED_TOGETHER, "books @scene.json --to 0.5 --as json");
-    assert_numbers(root, expected, G_N_ELEMENTS(expected));
-    cJSON_Delete(root);
+    assert_answer(fixture, DROPPED_TOGETHER, "books @scene.json --to 0.5 --as json", expected, G_N_ELEMENTS(expected));
 }
 
 /* As impulses a blow is a force over the step that it falls into, wherever books begin and end. */
