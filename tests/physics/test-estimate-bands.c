@@ -7,6 +7,7 @@
 #include "physics/system/summary.h"
 
 #include <math.h>
+#include <string.h>
 
 typedef struct {
     const ClosedForm *problem;
@@ -78,8 +79,34 @@ static void test_bands_end(void)
     g_assert_true(isnan(tinker_simulation_summary(run->simulation)->error_estimate));
 }
 
+static gboolean keep_bands(TinkerSimulation *simulation, double time, const double *values, void *data, GError **error)
+{
+    memcpy(data, tinker_simulation_bands(simulation), 2 * sizeof(double));
+    return TRUE;
+}
+
+/* A ball that comes down within roundings of the sample at 0.5 s, before it or behind it: on which side of the impact
+ * the run stands, and its companion, is no error of 9 m/s. */
+static void test_bands_at_impact(void)
+{
+    const double late[] = {-1e-14, -2e-15, -1e-15, 0, 1e-15, 2e-15, 1e-14};
+    for (gsize i = 0; i < G_N_ELEMENTS(late); i++) {
+        double bands[2] = {NAN, NAN};
+        const double fall = 0.5 * 9.81 * (0.5 + late[i]) * (0.5 + late[i]);
+        g_autoptr(PhysicsRun) run = physics_prepare(
+            &(PhysicsOptions){
+                .duration = 1, .interval = 0.1, .columns = "Mass 0.y, Mass 0.vy", .estimate = TRUE, .bands = TRUE},
+            "{'type': 'gravity'}, {'type': 'support', 'restitution': 0.8}, {'type': 'mass', 'position': [0, %.17g]}",
+            0.6 + fall);
+        g_assert_true(tinker_simulation_run(run->simulation, run->columns, keep_bands, bands, NULL));
+        g_assert_cmpfloat(bands[0], <, 1e-11);
+        g_assert_cmpfloat(bands[1], <, 1e-11);
+    }
+}
+
 static void add_tests(void)
 {
+    g_test_add_func("/physics/estimate/bands-at-impact", test_bands_at_impact);
     g_test_add_func("/physics/estimate/bands", test_bands);
     g_test_add_func("/physics/estimate/bands-end", test_bands_end);
 }

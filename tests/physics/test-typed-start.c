@@ -1,5 +1,5 @@
-/* Typed laws that set in after a while on what is at rest, against closed forms: nothing else tells how far off a step
- * is. */
+/* Typed laws that set in on what is at rest, after a while or from nothing on, against closed forms: nothing else tells
+ * how far off a step is. Where they set in hangs on the place, too, by next to nothing, so that it is no break. */
 #include <math.h>
 
 #include "physics-fixture.h"
@@ -28,8 +28,13 @@ static void test_alone(void)
         const char *blocks;
         double x, v;
     } cases[] = {
-        {FORCE("5*step(t-1)"), 2.5, 5},     {FORCE("5*pulse(t,1,1.5)"), 1.875, 2.5}, {FORCE("if(t<1,0,1)"), 0.5, 1},
-        {FORCE("ramp(t-1)"), 1.0 / 6, 0.5}, {FORCE("5*(t>1)*(t<1.5)"), 1.875, 2.5},
+        {FORCE("5*step(t-1+x/1e20)"), 2.5, 5},
+        {FORCE("5*pulse(t+x/1e20,1,1.5)"), 1.875, 2.5},
+        {FORCE("if(t+x/1e20<1,0,1)"), 0.5, 1},
+        {FORCE("ramp(t-1+x/1e20)"), 1.0 / 6, 0.5},
+        {FORCE("5*(t+x/1e20>1)*(t+x/1e20<1.5)"), 1.875, 2.5},
+        {FORCE("5*t^3"), 8, 20},
+        {FORCE("5*t^6"), 5 * 256.0 / 56, 5 * 128.0 / 7},
     };
     static const char *const methods[] = {"auto", "dopri5", "dop853"};
     for (gsize i = 0; i < G_N_ELEMENTS(cases); i++)
@@ -42,17 +47,17 @@ static void test_beside_others(void)
 {
     assert_comes_to(&(PhysicsOptions){0},
                     "{'type': 'mass', 'velocity': [1e-9, 0]},"
-                    "{'type': 'law-force', 'ends': ['Mass 0'], 'force_x': '5*step(t-1)'}",
+                    "{'type': 'law-force', 'ends': ['Mass 0'], 'force_x': '5*step(t-1+x/1e20)'}",
                     2.5 + 2e-9, 5 + 1e-9, 1e-8);
     assert_comes_to(&(PhysicsOptions){0},
                     "{'type': 'support', 'solid': false}, {'type': 'mass', 'position': [1, 0]},"
-                    "{'type': 'law-connector', 'ends': ['Support 0', 'Mass 0'], 'tension': '-5*step(t-1)'}",
+                    "{'type': 'law-connector', 'ends': ['Support 0', 'Mass 0'], 'tension': '-5*step(t-1+L/1e20)'}",
                     3.5, 5, 1e-8);
     const double w = sqrt(50);
     assert_comes_to(&(PhysicsOptions){0},
                     "{'type': 'support', 'solid': false, 'position': [-2, 0]}, {'type': 'mass'},"
                     "{'type': 'spring', 'ends': ['Support 0', 'Mass 0'], 'stiffness': 50, 'rest_length': 2},"
-                    "{'type': 'law-force', 'ends': ['Mass 0'], 'force_x': '5*step(t-1)'}",
+                    "{'type': 'law-force', 'ends': ['Mass 0'], 'force_x': '5*step(t-1+x/1e20)'}",
                     0.1 * (1 - cos(w)), 0.1 * w * sin(w), 1e-8);
 }
 

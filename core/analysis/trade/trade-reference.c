@@ -1,5 +1,6 @@
 /* The reference: methods are refined one after another, the most promising first, until two different ones agree. What
- * they agree to is all that is known of the true motion, so no smaller error is ever claimed.
+ * they agree to, and what the last refinement of the better one left, is all that is known of the true motion, so no
+ * smaller error is ever claimed: methods of one family err alike at the same step.
  *
  * Where two runs that finer settings no longer change part from one another, rounding has grown to what is seen: the
  * motion is not predictable beyond. Where a run could not be made finer in the time it had, they agree to less, but for
@@ -31,6 +32,7 @@ typedef struct {
     TinkerTradeSetting setting;
     TinkerTrajectory trajectory; /* empty: no run succeeded */
     double change;               /* from the next coarser run to this one */
+    double left;                 /* of that change, the share that finer runs would still make, all together */
     gboolean unfinished;         /* time ran out before finer settings stopped changing it */
 } Candidate;
 
@@ -110,7 +112,8 @@ static void refine_step(TinkerTradeBench *bench, Candidate *candidate, double se
 static void refine(TinkerTradeBench *bench, Candidate *candidate, const TinkerIntegrator *integrator, double seconds)
 {
     gboolean adaptive = (integrator->flags & TINKER_INTEGRATOR_ADAPTIVE) != 0;
-    *candidate = (Candidate){.setting = {integrator->id, adaptive, 0}, .change = INFINITY};
+    const double left = adaptive ? TOLERANCE_FACTOR : 1 / (exp2(integrator->order) - 1);
+    *candidate = (Candidate){.setting = {integrator->id, adaptive, 0}, .change = INFINITY, .left = left};
     (adaptive ? refine_tolerance : refine_step)(bench, candidate, seconds);
     /* One that knows the solution has no coarser run to be told from. */
     if (integrator->flags & TINKER_INTEGRATOR_LINEAR) {
@@ -123,10 +126,16 @@ static void refine(TinkerTradeBench *bench, Candidate *candidate, const TinkerIn
 
 typedef struct {
     const Candidate *truth, *witness;
-    double level;        /* over the whole run */
+    double level;        /* over the whole run, and no less than what refining the truth left */
     gsize agreed;        /* samples up to which they agree as wanted */
     gboolean unfinished; /* one of them could have been made finer */
 } Pair;
+
+/* What finer runs would still change, as far as the runs tell. */
+static double left_of(const Candidate *candidate)
+{
+    return isfinite(candidate->change) ? candidate->change * candidate->left : 0;
+}
 
 static Pair compare(const TinkerTradeBench *bench, const Candidate *a, const Candidate *b, double wanted)
 {
@@ -134,6 +143,7 @@ static Pair compare(const TinkerTradeBench *bench, const Candidate *a, const Can
     Pair pair = {a_first ? a : b, a_first ? b : a, 0, 0, a->unfinished || b->unfinished};
     const TinkerTrajectory *truth = &pair.truth->trajectory, *witness = &pair.witness->trajectory;
     pair.level = tinker_trade_bench_distance(bench, truth, witness, bench->time_count, truth->extent, truth->speed);
+    pair.level = fmax(pair.level, left_of(pair.truth));
     gsize low = 0, high = bench->time_count; /* the distance over the first n samples never falls with n */
     while (low < high) {
         gsize middle = (low + high + 1) / 2;
@@ -215,6 +225,7 @@ static void judge(const TinkerTradeBench *bench, const Pair *pair, TinkerTradeRe
                      pair->agreed < LEAST_AGREED;
     *samples = whole ? bench->time_count : pair->agreed;
     double level = tinker_trade_bench_distance(bench, truth, witness, *samples, truth->extent, truth->speed);
+    if (*samples == bench->time_count) level = fmax(level, left_of(pair->truth));
     *reference = (TinkerTradeReference){
         .truth = pair->truth->setting,
         .witness = pair->witness->setting,

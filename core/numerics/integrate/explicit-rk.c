@@ -12,6 +12,8 @@
 #include <glib/gi18n-lib.h>
 
 #include "numerics/integrate/stepping.h"
+#include "numerics/integrate/tolerances.h"
+#include "numerics/solve/largest.h"
 
 #define REJECTIONS_CAP 100
 /* Of the length of whole steps: one so short is tried with fewer stages, ... */
@@ -84,14 +86,19 @@ static TinkerStatus begin(RkStepper *stepper, const TinkerState *state)
     return status;
 }
 
-/* Finds the first step where it is not known. */
+/* Finds the first step where it is not known. Of what is at rest with no force on it nothing tells how long it will be
+ * but how long all may last. */
 static TinkerStatus find_first_step(RkStepper *stepper, const TinkerState *state, double limit)
 {
-    if (stepper->control.h > 0.0) return TINKER_OK;
-    stepper->control.h = stepper->first_step;
-    if (stepper->first_step > 0.0) return TINKER_OK;
-    return tinker_starting_step(stepper->system, stepper->scheme->tableau->order, stepper->control.tolerance, state,
-                                limit, stepper->a[0], stepper->q, stepper->v, stepper->error_q, &stepper->control.h);
+    TinkerStepControl *control = &stepper->control;
+    if (control->h > 0.0) return TINKER_OK;
+    control->h = stepper->first_step;
+    if (control->h > 0.0) return TINKER_OK;
+    const int32_t n = stepper->system->size;
+    if (control->usual_before == 0.0 && tinker_largest(n, state->v) == 0.0 && tinker_largest(n, stepper->a[0]) == 0.0)
+        control->usual_before = TINKER_USUAL_AT_REST * (limit - state->t);
+    return tinker_starting_step(stepper->system, stepper->scheme->tableau->order, control->tolerance, state, limit,
+                                stepper->a[0], stepper->q, stepper->v, stepper->error_q, &control->h);
 }
 
 /* Makes the trial's end the state, projected. */

@@ -40,6 +40,9 @@
 /* No unit; of the usual step, and of the speed that a force brings about within one: trials that are shorter, and
  * motions that are slower, are those of something that sets in. Held by: physics-typed-start. */
 #define TINKER_CUT_DOWN 1e-3
+/* No unit; of what is left of the run, or of the piece: how long steps will be, if nothing moves yet and no force tells.
+ * Held by: physics-typed-start. */
+#define TINKER_USUAL_AT_REST 1e-2
 /* No unit; of the time: a force that sets in does so no more exactly. Held by: physics-typed-start. */
 #define TINKER_SETS_IN (256 * DBL_EPSILON)
 

@@ -82,9 +82,8 @@ static void enter_first_piece(TinkerModel *model)
 {
     for (guint i = 0; i < model->batches->len; i++) {
         TinkerBlockBatch *batch = g_ptr_array_index(model->batches, i);
-        if (batch->waveforms == 0) continue;
-        double next = tinker_block_batch_next_break(batch, 0.0, 1.0);
-        tinker_block_batch_enter_piece(batch, isfinite(next) ? 0.5 * next : 0.5);
+        if (batch->evaluator_count == 0) continue;
+        tinker_block_batch_enter_behind(batch, 0.0);
         tinker_block_batch_set_time(batch, 0.0);
     }
 }

@@ -190,7 +190,7 @@ static TinkerStatus evaluate_coincident(TinkerModel *model, const TinkerConstrai
 /* Rows that their plugin works out. */
 static G_NO_INLINE TinkerStatus evaluate_asked(TinkerModel *model, TinkerConstraintBatch *part)
 {
-    part->view.time = model->time;
+    part->view.time = tinker_block_batch_inside(part->batch, model->time);
     part->view.failure = NULL;
     part->view.failed_instance = -1;
     TinkerStatus status =

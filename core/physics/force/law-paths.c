@@ -2,8 +2,12 @@
 #include "physics/force/law-paths.h"
 #include "physics/model/points.h"
 
+#include <float.h>
 #include <math.h>
 #include <string.h>
+
+/* Of a time, that a law is looked at within. */
+#define ROUNDINGS 8
 
 /* Listing ---------------------------------------------------------------------------------------------------------- */
 
@@ -207,16 +211,24 @@ static TinkerInterval argument_of(const TinkerLawForce *law, TinkerLawArgument a
     }
 }
 
+/* s: at a share of the step. The two ends, which may be breaks, are within it by some roundings. */
+static double time_at(const TinkerLawStep *step, double share)
+{
+    const double first = step->from + ROUNDINGS * DBL_EPSILON * fabs(step->from);
+    const double last = step->to - ROUNDINGS * DBL_EPSILON * fabs(step->to);
+    const double t = step->from + share * (step->to - step->from);
+    return first < last ? CLAMP(t, first, last) : t;
+}
+
 gboolean tinker_law_enclose(const TinkerLawForce *law, const TinkerLawStep *step, double low, double high,
                             TinkerInterval *force)
 {
-    const double h = step->to - step->from;
     const Way way[2] = {way_of(law, step, 0), way_of(law, step, 1)};
     Between between = {{reach_of(&way[0], low, high), reach_of(&way[1], low, high)}, {{0, 0}, {0, 0}}};
     Way length;
     if (law->b >= 0)
         between.length = length_of_ways(way, &length) ? reach_of(&length, low, high) : length_of_box(between.axis);
-    const TinkerInterval time = {step->from + low * h, step->from + high * h};
+    const TinkerInterval time = {time_at(step, low), time_at(step, high)};
     TinkerInterval arguments[TINKER_TYPED_MOST_ARGUMENTS];
     for (int i = 0; i < law->count; i++)
         arguments[i] = argument_of(law, law->arguments[i], &between, time);
@@ -232,7 +244,7 @@ double tinker_law_force_at(const TinkerLawForce *law, const TinkerLawStep *step,
         between.axis[k] =
             (Reach){tinker_interval_point(place_at(&way[k], at)), tinker_interval_point(rate_at(&way[k], at))};
     between.length = length_of_box(between.axis);
-    const TinkerInterval time = tinker_interval_point(step->from + at * (step->to - step->from));
+    const TinkerInterval time = tinker_interval_point(time_at(step, at));
     for (int i = 0; i < law->count; i++) {
         const TinkerInterval argument = argument_of(law, law->arguments[i], &between, time);
         arguments[i] = 0.5 * (argument.low + argument.high);

@@ -57,7 +57,8 @@ typedef struct {
     TinkerStabilityWatch *stability;
     gint64 looked_at;   /* steps at the last look into the books */
     int singular_steps; /* in a row */
-    int tiny_steps;     /* likewise: of which the rest of the run would take too many */
+    int tiny_steps;     /* likewise: of which the rest of the run would take too many; ... */
+    double tiny;        /* s: ... the first of them, of which none was twice as long; 0: none */
     int steps_off;      /* at whose ends the energy was off by more than was exchanged, since it balanced at all */
     double spectral_radius;
     TinkerSummary summary; /* of this island; events and warnings are those of the whole run, borrowed */

@@ -90,10 +90,12 @@ static gboolean varies(TinkerModel *model, Probe *probe, Kind kind, TinkerAskedB
     if (!take(model, probe, kind, asked, row, 0) || !take(model, probe, kind, asked, row, 1)) return FALSE;
     for (gsize i = 0; i < G_N_ELEMENTS(times) && !found; i++) {
         model->time = times[i];
+        if (asked->batch->evaluator_count > 0) tinker_block_batch_enter_behind(asked->batch, times[i]);
         if (asked->batch->waveforms > 0) tinker_block_batch_set_time(asked->batch, times[i]);
         found = take(model, probe, kind, asked, row, 2) && take(model, probe, kind, asked, row, 3) && differs(probe);
     }
     model->time = 0;
+    if (asked->batch->evaluator_count > 0) tinker_block_batch_enter_behind(asked->batch, 0);
     if (asked->batch->waveforms > 0) tinker_block_batch_set_steady(asked->batch);
     return found;
 }

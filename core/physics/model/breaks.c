@@ -30,6 +30,7 @@ static double plugin_break(TinkerModel *model, TinkerBlockBatch *batch, double t
     for (gsize i = 0; i < G_N_ELEMENTS(offered); i++) {
         if (offered[i] == NULL) continue;
         TinkerBatch view = tinker_block_batch_view(batch, t);
+        view.time = t; /* of whatever piece is entered */
         double at = INFINITY;
         TINKER_CALL_VOID(at = offered[i](&view), .phase = "next_break", .block_class = batch->block_class,
                          .batch = &view, .name = tinker_block_batch_name, .source = batch);
@@ -44,7 +45,7 @@ double tinker_model_next_break(TinkerModel *model, double t, double horizon)
     double next = INFINITY;
     for (guint i = 0; i < model->batches->len; i++) {
         TinkerBlockBatch *batch = g_ptr_array_index(model->batches, i);
-        if (batch->waveforms > 0) next = MIN(next, tinker_block_batch_next_break(batch, t, MIN(horizon, next)));
+        if (batch->evaluator_count > 0) next = MIN(next, tinker_block_batch_next_break(batch, t, MIN(horizon, next)));
         if (batch->block_class->physics != NULL) next = MIN(next, plugin_break(model, batch, t));
     }
     return next <= horizon ? next : INFINITY;
@@ -55,7 +56,7 @@ static TinkerBlockId break_block(TinkerModel *model, double t, double next)
 {
     for (guint i = 0; i < model->batches->len; i++) {
         TinkerBlockBatch *batch = g_ptr_array_index(model->batches, i);
-        if (batch->waveforms > 0 && tinker_block_batch_next_break(batch, t, next) <= next)
+        if (batch->evaluator_count > 0 && tinker_block_batch_next_break(batch, t, next) <= next)
             return batch->ids[tinker_block_batch_break_row(batch)];
         if (batch->block_class->physics != NULL && plugin_break(model, batch, t) <= next) return batch->ids[0];
     }
@@ -113,7 +114,7 @@ void tinker_model_enter_piece(TinkerModel *model, double inside)
 {
     for (guint i = 0; i < model->batches->len; i++) {
         TinkerBlockBatch *batch = g_ptr_array_index(model->batches, i);
-        if (batch->waveforms > 0) tinker_block_batch_enter_piece(batch, inside);
+        if (batch->evaluator_count > 0) tinker_block_batch_enter_piece(batch, inside);
     }
     model->time = NAN; /* what was evaluated belongs to the piece before */
 }

@@ -34,7 +34,7 @@ TinkerBatch tinker_model_view(const TinkerModel *model, const TinkerBlockBatch *
         .end_offsets = batch->ends < 0 ? model->chunk_offsets : NULL,
         .columns = columns,
         .scratch = batch->scratch,
-        .time = model->time,
+        .time = tinker_block_batch_inside(batch, model->time),
         .origin = {model->origin[0], model->origin[1]},
         .failed_instance = -1,
         .law_count = batch->law_count,

@@ -173,6 +173,16 @@ gboolean tinker_columns_add_list(GArray *columns, TinkerScene *scene, const char
     return TRUE;
 }
 
+gboolean *tinker_columns_place(const GArray *columns)
+{
+    gboolean *places = g_new0(gboolean, columns->len + 1);
+    for (guint c = 0; c < columns->len; c++) {
+        const TinkerDimension dimension = g_array_index(columns, TinkerColumn, c).dimension;
+        places[c] = dimension.mass == 0 && dimension.time == 0;
+    }
+    return places;
+}
+
 gboolean *tinker_columns_turn(const GArray *columns)
 {
     gboolean *turns = g_new0(gboolean, columns->len + 1);

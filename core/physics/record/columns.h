@@ -32,6 +32,9 @@ gboolean tinker_columns_add(GArray *columns, TinkerScene *scene, const char *nam
 /* Of each column whether its values start again after 2 pi, as those of an angle. (transfer full) */
 gboolean *tinker_columns_turn(const GArray *columns);
 
+/* Of each column whether it tells places: a length or an angle, which no impact changes at once. (transfer full) */
+gboolean *tinker_columns_place(const GArray *columns);
+
 /* Adds the columns of a comma-separated list. A name with a comma in it is found as well. */
 gboolean tinker_columns_add_list(GArray *columns, TinkerScene *scene, const char *list, GError **error);
 

@@ -91,14 +91,32 @@ void comparison_take_step(TinkerComparison *self, const TinkerStepNews *news)
     keep_points(part, other->model->coordinates);
 }
 
-static void widen_bands(TinkerComparison *self, double t, const double *values)
+static gboolean is_at_impact(const TinkerImpacts *impacts, double t)
+{
+    return impacts->within == 0 && tinker_impacts_are_near(impacts, t);
+}
+
+/* Whether the run and the companion may stand on two sides of an impact. Those that last for whole steps are no
+ * instants: near them speeds are to tell. */
+static gboolean may_be_parted_by_impact(const TinkerComparison *self, const TinkerIslandNews *islands, double t)
+{
+    for (guint i = 0; i < self->islands; i++) {
+        const TinkerImpacts theirs = tinker_impacts_of(g_ptr_array_index(self->companion->runs, i));
+        if (is_at_impact(&islands[i].impacts, t) || is_at_impact(&theirs, t)) return TRUE;
+    }
+    return FALSE;
+}
+
+static void widen_bands(TinkerComparison *self, const TinkerIslandNews *islands, double t, const double *values)
 {
     TinkerIslandRuns *companion = self->companion;
     if (tinker_island_runs_sample(companion, t) != TINKER_OK) return;
+    const gboolean parted = may_be_parted_by_impact(self, islands, t);
     double factor = 0;
     for (guint i = 0; i < self->islands; i++)
         factor = fmax(factor, self->parts[i].factor);
     for (guint c = 0; c < self->columns; c++) {
+        if (parted && !self->places[c]) continue;
         double off = companion->values[c] - values[c];
         if (self->turns[c]) off = remainder(off, 2 * G_PI);
         self->bands[c] = fmax(self->bands[c], factor * fabs(off));
@@ -151,6 +169,6 @@ void comparison_take_sample(TinkerComparison *self, const TinkerSampleNews *news
         findings->predictable_until = time_of_passing(self, islands, news->t);
     for (guint i = 0; i < self->islands; i++)
         if (self->parts[i].marks != NULL) g_array_set_size(self->parts[i].marks, 0);
-    if (self->bands != NULL && determined) widen_bands(self, news->t, v + (gsize)self->coordinates);
+    if (self->bands != NULL && determined) widen_bands(self, islands, news->t, v + (gsize)self->coordinates);
     tell_found(self, news->t);
 }

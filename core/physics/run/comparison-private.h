@@ -37,6 +37,7 @@ struct _TinkerComparison {
     double *q, *v;               /* room for the coordinates of one */
     guint columns;               /* 0: no bands */
     gboolean *turns;             /* of each column: whether it starts again after 2 pi */
+    gboolean *places;            /* ... and whether it goes on through impacts */
     double *bands;
     TinkerFindings findings;
     gint state;              /* atomic: a TinkerComparisonState */

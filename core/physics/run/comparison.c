@@ -39,6 +39,7 @@ static gboolean open_companion(TinkerComparison *self, TinkerIslandRuns *runs, c
         self->findings.bands = self->bands = g_new0(double, columns->len + 1);
         tinker_island_runs_take_columns(companion, columns);
         self->turns = tinker_columns_turn(columns);
+        self->places = tinker_columns_place(columns);
     }
     for (guint i = 0; i < self->islands; i++) {
         ComparisonPart *part = &self->parts[i];
@@ -86,7 +87,7 @@ void tinker_comparison_free(TinkerComparison *self)
     tinker_island_runs_free(self->companion);
     tinker_model_free(self->model);
     g_array_unref(self->sizes);
-    gpointer arrays[] = {self->parts, self->q, self->v, self->bands, self->turns, self->findings.failure};
+    gpointer arrays[] = {self->parts, self->q, self->v, self->bands, self->turns, self->places, self->findings.failure};
     for (gsize i = 0; i < G_N_ELEMENTS(arrays); i++)
         g_free(arrays[i]);
     g_free(self);

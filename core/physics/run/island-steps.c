@@ -31,7 +31,8 @@
 #include "plugin/call/words.h"
 
 /* A run that needs more steps than this of the size that it takes would not end in a lifetime: it is given up once so
- * many have been that small, one after the other. A stiff start has a few of them. */
+ * many have been that small, one after the other, and none was twice as long as those before. A stiff start has a few of
+ * them, and steps from rest on may grow slowly. */
 #define MOST_STEPS_TO_COME 1e12
 #define MOST_TINY_STEPS    10000
 
@@ -113,8 +114,12 @@ static double step_limit(TinkerIslandRun *run, double run_end)
 static gboolean is_hopeless(TinkerIslandRun *run, double step, double left)
 {
     if (!tinker_method_is_adaptive(run->choice.method)) return FALSE;
-    run->tiny_steps = left > MOST_STEPS_TO_COME * step ? run->tiny_steps + 1 : 0;
-    return run->tiny_steps > MOST_TINY_STEPS;
+    const gboolean is_tiny = left > MOST_STEPS_TO_COME * step;
+    if (!is_tiny || step > 2 * run->tiny) {
+        run->tiny_steps = 0;
+        run->tiny = is_tiny ? step : 0;
+    }
+    return ++run->tiny_steps > MOST_TINY_STEPS;
 }
 
 /* Passes what the state stands on: an event of contact, behind which velocities are others. */

@@ -1,4 +1,6 @@
-/* The waveforms of a batch, and what the last search for a break of them went through. */
+/* The waveforms of a batch, what t alone switches in its laws, and what the last search for a break of them went
+ * through.
+ */
 #ifndef TINKER_CORE_BATCH_WAVEFORMS_H
 #define TINKER_CORE_BATCH_WAVEFORMS_H
 
@@ -6,6 +8,9 @@
 
 /* Gives a new batch the evaluators of its waveforms. */
 void tinker_block_batch_copy_waveforms(TinkerBlockBatch *batch);
+
+/* Follows what t alone switches in a law of a block, which then has a waveform's breaks (borrowed). */
+void tinker_block_batch_add_switches(TinkerBlockBatch *batch, int32_t row, TinkerWaveform *switches);
 
 /* The block whose break tinker_block_batch_next_break found. */
 int32_t tinker_block_batch_break_row(const TinkerBlockBatch *batch);

@@ -1,10 +1,11 @@
-/* Snapshots of tables. Property columns are copied; those of waveforms are filled by evaluators (batch-waveforms.c). */
+/* Snapshots of tables. Property columns are copied; those of waveforms are filled by evaluators (batch-waveforms.c),
+ * and typed laws are compiled (batch-laws.c). */
+#include "scene/frame/batch-laws.h"
 #include "scene/frame/batch-waveforms.h"
 
-#include "law/typed-law.h"
 #include "plugin/call/guarded.h"
 #include "plugin/call/words.h"
-#include "units/compiled/typed-energy.h"
+#include "units/compiled/compiled.h"
 #include "units/quantity/point-text.h"
 
 /* The rows of a table that are taken; their number is answered. */
@@ -23,6 +24,8 @@ static TinkerBlockBatch *allot(TinkerScene *scene, const TinkerBlockClass *block
     batch->scene = scene;
     batch->block_class = block_class;
     batch->count = count;
+    batch->earliest = -INFINITY;
+    batch->latest = INFINITY;
     batch->columns = (double **)(gpointer)(batch + 1);
     const TinkerBlockType *type = block_class->type;
     batch->ends = type->least_ends == type->most_ends ? type->least_ends : -1;
@@ -92,6 +95,7 @@ static void block_batch_free(TinkerBlockBatch *batch)
     for (int32_t i = 0; i < batch->evaluator_count; i++)
         tinker_waveform_evaluator_free(batch->evaluators[i]);
     g_free(batch->evaluators);
+    g_free(batch->evaluator_rows);
     g_free(batch->waveform_columns);
     g_free(batch->pieces);
     tinker_guarded_free(batch->scratch);
@@ -105,61 +109,6 @@ static void block_batch_free(TinkerBlockBatch *batch)
     g_free(batch->law_fault);
     g_clear_pointer(&batch->law_notes, g_ptr_array_unref);
     g_free(batch);
-}
-
-gboolean tinker_block_batch_is_timed(const TinkerBlockBatch *batch, int32_t row)
-{
-    for (int32_t k = 0; k < batch->law_count; k++) {
-        const TinkerTypedLaw *law = batch->laws[(gsize)row * (gsize)batch->law_count + (gsize)k];
-        if (law != NULL && law->depends_on_time) return TRUE;
-    }
-    return FALSE;
-}
-
-gboolean tinker_block_batch_stores(const TinkerBlockBatch *batch, int32_t row)
-{
-    TinkerTypedLaw *const *laws = batch->laws + (gsize)row * (gsize)batch->law_count;
-    for (int32_t k = 0; k < batch->law_count; k++)
-        if (laws[k] != NULL && tinker_typed_stores(laws[k])) return TRUE;
-    return FALSE;
-}
-
-/* The laws of one block; the first that cannot be read is told by the batch. */
-static void compile_row(TinkerBlockBatch *batch, int32_t row)
-{
-    TinkerSceneTexts texts = {batch->scene, batch->ids[row]};
-    TinkerTypedLaw **const laws = batch->laws + (gsize)row * (gsize)batch->law_count, **law = laws;
-    for (int32_t p = 0; p < batch->block_class->property_count; p++) {
-        if ((batch->block_class->properties[p].flags & TINKER_TEXT_LAW) == 0) continue;
-        g_autoptr(GError) error = NULL;
-        if (tinker_scene_text_of(p, &texts)[0] != '\0')
-            *law = tinker_typed_new(batch->block_class, p, tinker_scene_text_of, &texts, &error);
-        if (error != NULL && batch->law_fault == NULL)
-            batch->law_fault =
-                g_strdup_printf("%s: %s", tinker_scene_block_name(batch->scene, texts.block), error->message);
-        g_autofree char *note = tinker_typed_note(batch->block_class, p, tinker_scene_text_of, &texts);
-        if (note != NULL)
-            g_ptr_array_add(batch->law_notes,
-                            g_strdup_printf("%s: %s", tinker_scene_block_name(batch->scene, texts.block), note));
-        law++;
-    }
-    tinker_typed_set_energies(batch->block_class, laws);
-    batch->has_timed_law = batch->has_timed_law || tinker_block_batch_is_timed(batch, row);
-    for (int32_t k = 0; k < batch->law_count; k++)
-        batch->has_law_of_velocity = batch->has_law_of_velocity || (laws[k] != NULL && laws[k]->depends_on_velocity);
-}
-
-static void compile_laws(TinkerBlockBatch *batch)
-{
-    for (int32_t p = 0; p < batch->block_class->property_count; p++)
-        batch->law_count += (batch->block_class->properties[p].flags & TINKER_TEXT_LAW) != 0;
-    if (batch->law_count == 0) return;
-    batch->law_notes = g_ptr_array_new_with_free_func(g_free);
-    batch->laws = g_new0(TinkerTypedLaw *, (gsize)batch->count * (gsize)batch->law_count);
-    for (int32_t row = 0; row < batch->count; row++)
-        compile_row(batch, row);
-    for (int32_t law = 0; law < batch->law_count; law++)
-        tinker_typed_join(batch->laws + law, batch->law_count, batch->count);
 }
 
 /* The lists of points of one block; one that cannot be read is empty, and told as a law is that cannot. */
@@ -195,7 +144,7 @@ static TinkerBlockBatch *complete(TinkerBlockBatch *batch)
 {
     const TinkerPhysics *physics = batch->block_class->physics;
     tinker_block_batch_copy_waveforms(batch);
-    compile_laws(batch);
+    tinker_block_batch_compile_laws(batch);
     take_all_points(batch);
     if (physics != NULL && physics->scratch_size > 0)
         batch->scratch = tinker_guarded_new((gsize)physics->scratch_size, batch->block_class);
@@ -259,6 +208,11 @@ char *tinker_block_batch_refusal(const TinkerBlockBatch *batch, const TinkerBatc
                            words != NULL ? words : otherwise);
 }
 
+double tinker_block_batch_inside(const TinkerBlockBatch *batch, double t)
+{
+    return t < batch->earliest ? batch->earliest : t > batch->latest ? batch->latest : t;
+}
+
 TinkerBatch tinker_block_batch_view(TinkerBlockBatch *batch, double t)
 {
     return (TinkerBatch){
@@ -268,7 +222,7 @@ TinkerBatch tinker_block_batch_view(TinkerBlockBatch *batch, double t)
         .end_offsets = batch->ends < 0 ? batch->end_offsets : NULL,
         .columns = (const double *const *)batch->columns,
         .scratch = batch->scratch,
-        .time = t,
+        .time = tinker_block_batch_inside(batch, t),
         .failed_instance = -1,
         .law_count = batch->law_count,
         .laws = (const TinkerTypedLaw *const *)batch->laws,

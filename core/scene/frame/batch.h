@@ -22,14 +22,16 @@ struct _TinkerBlockBatch {
     int32_t end_count;    /* of all blocks */
     int32_t *end_offsets; /* count + 1 entries */
     TinkerSceneEnd *end;  /* of all blocks, row by row */
+    int32_t waveforms;    /* waveform properties of the class */
     int32_t evaluator_count;
-    TinkerWaveformEvaluator *
-        *evaluators;             /* waveform by waveform, row by row; NULL where there are none, and so below */
-    int32_t *waveform_columns;   /* first column of each waveform property */
-    struct _TinkerPiece *pieces; /* of each evaluator, what is known of its next break */
-    int32_t waveforms;           /* waveform properties of the class */
-    void *scratch;               /* as the class's physics asked for; see guarded.h */
-    double *end_masses;          /* kg: see TinkerBatch; NULL: not known */
+    TinkerWaveformEvaluator **evaluators; /* waveform by waveform, row by row; then of what t alone switches in laws.
+                                             NULL where there are none, and so below */
+    int32_t *evaluator_rows;              /* whose they are */
+    int32_t *waveform_columns;            /* first column of each waveform property */
+    struct _TinkerPiece *pieces;          /* of each evaluator, what is known of its next break */
+    double earliest, latest;              /* s: within the piece of what is switched in laws; infinite: in any */
+    void *scratch;                        /* as the class's physics asked for; see guarded.h */
+    double *end_masses;                   /* kg: see TinkerBatch; NULL: not known */
     gboolean has_timed_law, has_law_of_velocity; /* of any block */
     int32_t law_count;                           /* typed laws of each block, */
     struct TinkerTypedLaw **laws;                /* row by row; NULL: an empty text, or one that cannot be read: */
@@ -50,6 +52,9 @@ GPtrArray *tinker_batches_take(const GPtrArray *batches, const int32_t *numbers,
 
 /* The rows of the largest batch. */
 int32_t tinker_batches_most_rows(const GPtrArray *batches);
+
+/* The time that typed laws are given at t: an end of a piece lies within it, by some ulp. */
+double tinker_block_batch_inside(const TinkerBlockBatch *batch, double t);
 
 /* The view of a whole batch that plugins get, at time t. */
 TinkerBatch tinker_block_batch_view(TinkerBlockBatch *batch, double t);
@@ -85,11 +90,14 @@ void tinker_block_batch_set_steady(TinkerBlockBatch *batch);
  * Borrowed. */
 const TinkerWaveformEvaluator *tinker_block_batch_evaluator(const TinkerBlockBatch *batch, int32_t column, int32_t row);
 
-/* Enters the piece of every waveform that contains `inside`. */
+/* Enters the piece of every waveform, and of what t alone switches in laws, that contains `inside`. */
 void tinker_block_batch_enter_piece(TinkerBlockBatch *batch, double inside);
 
-/* The first break after t, of waveforms alone, not after the horizon; INFINITY for none. What is found is remembered,
- * so that only waveforms whose break has passed are asked again. */
+/* The first break after t, of waveforms and of what t alone switches in laws, not after the horizon; INFINITY for none.
+ * What is found is remembered, so that only those whose break has passed are asked again. */
 double tinker_block_batch_next_break(TinkerBlockBatch *batch, double t, double horizon);
+
+/* Enters the piece that holds from t on. */
+void tinker_block_batch_enter_behind(TinkerBlockBatch *batch, double t);
 
 #endif

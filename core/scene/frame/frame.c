@@ -144,9 +144,8 @@ gboolean tinker_frame_set_time(TinkerFrame *frame, double t, GError **error)
     for (guint i = 0; i < frame->batches->len; i++) {
         TinkerBlockBatch *batch = g_ptr_array_index(frame->batches, i);
         if (batch->waveforms == 0) continue;
-        /* A frame shows what holds from t on, so it looks just behind a break that falls on t. */
-        double next = tinker_block_batch_next_break(batch, t, t + 1.0);
-        tinker_block_batch_enter_piece(batch, isfinite(next) ? 0.5 * (t + next) : t + 0.5);
+        /* A frame shows what holds from t on. */
+        tinker_block_batch_enter_behind(batch, t);
         tinker_block_batch_set_time(batch, t);
     }
     return move_supports(frame, error);

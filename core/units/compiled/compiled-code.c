@@ -4,6 +4,8 @@
 
 #include "units/compiled/compiled-private.h"
 
+#define MOST_STEPS 1024 /* of a program before it is put together */
+
 /* An instruction on its way. Entries are those of the draft itself. */
 typedef struct {
     TinkerInstruction is;
@@ -278,7 +280,8 @@ static void write_steps(Assembly *assembly, TinkerStep *steps)
     }
 }
 
-TinkerCompiled *tinker_compiled_assemble(const TinkerInstruction *code, int length)
+/* NULL: it has more entries than there may be. (transfer full) */
+static TinkerCompiled *assemble(const TinkerInstruction *code, int length)
 {
     g_autofree Draft *draft = g_new0(Draft, (gsize)length);
     g_autoptr(GArray) numbers = g_array_new(FALSE, FALSE, sizeof(double));
@@ -310,6 +313,20 @@ TinkerCompiled *tinker_compiled_assemble(const TinkerInstruction *code, int leng
     compiled->answer = draft[assembly.count - 1].entry;
     compiled->number = own;
     return compiled;
+}
+
+TinkerCompiled *tinker_compiled_new(const TinkerExpression *expression, const char *const *names, int count)
+{
+    g_autoptr(TinkerProgram) program = tinker_program_of_tree(expression, names, count, MOST_STEPS);
+    if (program == NULL) return NULL;
+    int length;
+    const TinkerInstruction *code = tinker_program_code(program, &length);
+    return assemble(code, length);
+}
+
+void tinker_compiled_free(TinkerCompiled *compiled)
+{
+    g_free(compiled);
 }
 
 const double *tinker_compiled_numbers(const TinkerCompiled *compiled, int *count)

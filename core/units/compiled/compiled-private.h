@@ -5,7 +5,6 @@
 #include "units/compiled/compiled.h"
 #include "units/expression/expression-program.h"
 
-#define TINKER_MOST_STEPS   1024 /* of a program before it is put together */
 #define TINKER_MOST_ENTRIES 2048 /* they stand on the stack */
 
 #define TINKER_USUAL_NUMBERS 4 /* few programs have more, and there is always room for so many */
@@ -56,8 +55,5 @@ struct _TinkerCompiled {
     const double *number; /* as many, and 0 up to TINKER_USUAL_NUMBERS */
     TinkerStep step[];
 };
-
-/* Puts a program of `length` instructions together. NULL: it has more entries than there may be. (transfer full) */
-TinkerCompiled *tinker_compiled_assemble(const TinkerInstruction *code, int length);
 
 #endif

@@ -110,3 +110,10 @@ const TinkerInstruction *tinker_program_code(const TinkerProgram *program, int *
     *count = (int)program->code->len;
     return (const TinkerInstruction *)(void *)program->code->data;
 }
+
+gboolean tinker_program_switches(const TinkerProgram *program)
+{
+    for (guint i = 0; i < program->code->len; i++)
+        if (instruction_at(program, (int)i)->operation == TINKER_OP_SWITCH) return TRUE;
+    return FALSE;
+}

@@ -97,6 +97,15 @@ typedef struct {
  * compiled once can be compiled with any finite shift. (transfer full) */
 TinkerProgram *tinker_program_parse(const char *text, double shift, GError **error);
 
+/* Compiles a tree over these names, of `most` instructions at most; of a law of t alone the names are "t". What the
+ * tree shares is worked out once; an `if` works out both its values. NULL: it is longer, or names something else.
+ * (transfer full) */
+TinkerProgram *tinker_program_of_tree(const TinkerExpression *expression, const char *const *names, int count,
+                                      guint most);
+
+/* Whether there is a switch in it, so that it may have breaks. */
+gboolean tinker_program_switches(const TinkerProgram *program);
+
 /* The compiler's hand: an empty program; adding an instruction, with constants folded (answers the index that holds the
  * result); throwing away what the last instruction, the value, does not need. */
 TinkerProgram *tinker_program_new(void);

@@ -5,15 +5,18 @@
 #include <string.h>
 
 #include "units/expression/expression-form.h"
-#include "units/expression/expression-tree.h"
 #include "units/waveform/table-private.h"
+
+#define MOST_INSTRUCTIONS 1024 /* of an expression that is given as a tree */
+/* ulp: beside the end of a piece. A root that begins there is off by the root of that. */
+#define BESIDE (2 * TINKER_MERGED)
 
 struct _TinkerWaveform {
     gatomicrefcount references;
     TinkerWaveformKind kind;
     TinkerWaveform *origin; /* that this one is a shift of, or NULL */
     double shift;           /* s: the origin is evaluated at t + shift */
-    char *text;             /* of an expression */
+    char *text;             /* of an expression that was read from one */
     TinkerProgram *program; /* of an expression; it has the shift in it */
     TinkerTable *table;     /* of a table; the origin's where there is one */
 };
@@ -22,7 +25,8 @@ struct _TinkerWaveformEvaluator {
     TinkerWaveform *waveform;
     double amplitude, frequency, phase;
     gboolean smooth;
-    TinkerProgramState piece;  /* of an expression: the piece entered last */
+    TinkerProgramState piece;  /* of an expression: the piece entered last, */
+    double inside;             /* s: a time in it; NAN where there is but one */
     TinkerProgramState search; /* and the scratch of next_break */
     gsize table_piece;
 };
@@ -86,6 +90,16 @@ TinkerWaveform *tinker_waveform_new_expression(const char *text, GError **error)
     TinkerWaveform *waveform = waveform_new(TINKER_WAVEFORM_EXPRESSION);
     waveform->text = g_strdup(text);
     waveform->program = program;
+    return waveform;
+}
+
+TinkerWaveform *tinker_waveform_new_switching(const TinkerExpression *of_time)
+{
+    static const char *const names[] = {"t"};
+    g_autoptr(TinkerProgram) program = tinker_program_of_tree(of_time, names, 1, MOST_INSTRUCTIONS);
+    if (program == NULL || !tinker_program_switches(program)) return NULL;
+    TinkerWaveform *waveform = waveform_new(TINKER_WAVEFORM_EXPRESSION);
+    waveform->program = g_steal_pointer(&program);
     return waveform;
 }
 
@@ -197,9 +211,19 @@ void tinker_waveform_enter_piece(TinkerWaveformEvaluator *evaluator, double insi
 {
     if (evaluator->waveform->kind == TINKER_WAVEFORM_EXPRESSION) {
         tinker_program_decide(&evaluator->piece, inside);
+        evaluator->inside = tinker_program_switches(evaluator->waveform->program) ? inside : NAN;
     } else if (evaluator->waveform->kind == TINKER_WAVEFORM_TABLE) {
         evaluator->table_piece = table_piece(evaluator->waveform, inside);
     }
+}
+
+/* The end of a piece is known to some roundings: what is a root within it may be that of a negative number there. */
+static TinkerJet evaluate_expression(const TinkerWaveformEvaluator *evaluator, double t)
+{
+    const TinkerJet at = tinker_program_evaluate(&evaluator->piece, t);
+    const double nearer = tinker_ulps(t, BESIDE), left = evaluator->inside - t;
+    if (!isnan(at.value) || !(fabs(left) > nearer)) return at;
+    return tinker_program_evaluate(&evaluator->piece, t + copysign(nearer, left));
 }
 
 void tinker_waveform_evaluate(const TinkerWaveformEvaluator *evaluator, double t, double result[3])
@@ -216,7 +240,7 @@ void tinker_waveform_evaluate(const TinkerWaveformEvaluator *evaluator, double t
         result[2] = -rate * rate * result[0];
         return;
     case TINKER_WAVEFORM_EXPRESSION:
-        store(tinker_program_evaluate(&evaluator->piece, t), result);
+        store(evaluate_expression(evaluator, t), result);
         return;
     case TINKER_WAVEFORM_TABLE:
         tinker_table_evaluate(waveform->table, evaluator->table_piece, evaluator->smooth, t + waveform->shift, result);

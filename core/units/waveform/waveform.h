@@ -12,6 +12,7 @@
 
 #include <tinker/integrator.h>
 
+#include "units/expression/expression-tree.h"
 #include "units/expression/waveform-error.h"
 
 typedef enum {
@@ -36,6 +37,10 @@ TinkerWaveform *tinker_waveform_new_harmonic(TinkerWaveformKind kind);
 /* An expression in t, as docs/reference/expressions.md has it. NULL on failure, with an error whose message begins with
  * "column N: " and suggests the nearest name where one is near. (transfer full) */
 TinkerWaveform *tinker_waveform_new_expression(const char *text, GError **error);
+
+/* An expression in t that was read before, for the sake of its breaks. NULL: nothing in it switches, or it is too long.
+ * (transfer full) */
+TinkerWaveform *tinker_waveform_new_switching(const TinkerExpression *of_time);
 
 /* A table of `rows` times (strictly increasing, s) and values, both copied. Before the first row the first value holds,
  * behind the last the last one (for an acceleration: 0). (transfer full) */

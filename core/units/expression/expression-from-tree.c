@@ -1,8 +1,8 @@
-/* Compiling trees to programs. The instructions are those of waveforms; an argument is an instruction "time" with its
- * number, so that no function has a meaning of its own here. */
+/* From trees to programs. An argument is an instruction "time" with its number, so that no function has a meaning of
+ * its own here. */
 #include <string.h>
 
-#include "units/compiled/compiled-private.h"
+#include "units/expression/expression-program.h"
 
 #define MOST_PRODUCT 16 /* powers up to this one are products */
 
@@ -10,6 +10,7 @@ typedef struct {
     TinkerBuilder builder;
     const char *const *names;
     int count;
+    guint most;        /* instructions */
     GHashTable *known; /* node to instruction + 1 */
     gboolean failed;   /* too long, or a name that is not known */
 } Compiler;
@@ -123,28 +124,22 @@ static int compile(Compiler *compiler, const TinkerExpression *node)
 {
     const int known = GPOINTER_TO_INT(g_hash_table_lookup(compiler->known, node));
     if (known > 0) return known - 1;
-    compiler->failed = compiler->failed || compiler->builder.program->code->len > TINKER_MOST_STEPS;
+    compiler->failed = compiler->failed || compiler->builder.program->code->len > compiler->most;
     if (compiler->failed) return 0;
     const int result = compile_node(compiler, node);
     g_hash_table_insert(compiler->known, (void *)node, GINT_TO_POINTER(result + 1));
     return result;
 }
 
-TinkerCompiled *tinker_compiled_new(const TinkerExpression *expression, const char *const *names, int count)
+TinkerProgram *tinker_program_of_tree(const TinkerExpression *expression, const char *const *names, int count,
+                                      guint most)
 {
     g_autoptr(TinkerProgram) program = tinker_program_new();
     g_autoptr(GHashTable) known = g_hash_table_new(NULL, NULL);
-    Compiler compiler = {{program, -1}, names, count, known, FALSE};
+    Compiler compiler = {{program, -1}, names, count, most, known, FALSE};
     tinker_build(&compiler.builder, TINKER_OP_CONSTANT, -1, -1, -1, 0); /* what a failure answers */
     const int value = compile(&compiler, expression);
-    if (compiler.failed || program->code->len > TINKER_MOST_STEPS) return NULL;
+    if (compiler.failed || program->code->len > most) return NULL;
     tinker_program_finish(program, value);
-    int length;
-    const TinkerInstruction *code = tinker_program_code(program, &length);
-    return tinker_compiled_assemble(code, length);
-}
-
-void tinker_compiled_free(TinkerCompiled *compiled)
-{
-    g_free(compiled);
+    return g_steal_pointer(&program);
 }
