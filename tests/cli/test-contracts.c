@@ -25,17 +25,16 @@ static void test_lost_state(CliFixture *fixture, gconstpointer data)
     cli_assert_holds(program->error, "the method put other arrays in the place of those of the state");
 }
 
-/* Times of a step that are not those of its contract: the run stops, and names the method. A mass would hang in the air
- * otherwise, with an error that is said to be nothing. */
+/* Times of a step that are not those of its contract, or none for no reason: the run stops, and names the method. A
+ * mass would hang in the air otherwise, with an error that is said to be nothing. */
 static void test_wrong_times(CliFixture *fixture, gconstpointer data)
 {
     static const struct {
         const char *method, *fault;
     } methods[] = {
-        {"past-limit", "past the limit of"},
-        {"short-of-limit", "was to step to t ="},
-        {"other-step", "reports a step of"},
-        {"no-step", "the time stands still"},
+        {"past-limit", "past the limit of"}, {"short-of-limit", "was to step to t ="},
+        {"other-step", "reports a step of"}, {"no-step", "the time stands still"},
+        {"no-reason", "does not say why"},
     };
     g_free(cli_write(fixture, "a.json", FREE_FALL));
     for (gsize i = 0; i < G_N_ELEMENTS(methods); i++) {

@@ -76,8 +76,8 @@ gboolean tinker_island_run_open_stepper(TinkerIslandRun *run, GError **error)
     else
         g_set_error(
             error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_METHOD,
-            _("the method %s cannot be set up for %d coordinates (it refuses these options: spectral_radius is below 1 "
-              "with constraints)"),
+            _("the method %s cannot be set up for %d coordinates, and does not say why (its plugin's create answered "
+              "nothing; the method auto takes one that suits)"),
             method->id, run->system.system.size);
     return FALSE;
 }

@@ -17,6 +17,7 @@
 #include "physics/limit/idle-lines.h"
 #include "physics/limit/law-watch.h"
 #include "physics/model/breaks.h"
+#include "physics/model/failures.h"
 #include "physics/model/model.h"
 #include "physics/plan/islands.h"
 #include "physics/plan/plan.h"
@@ -31,8 +32,8 @@
 #include "plugin/call/words.h"
 
 /* A run that needs more steps than this of the size that it takes would not end in a lifetime: it is given up once so
- * many have been that small, one after the other, and none was twice as long as those before. A stiff start has a few of
- * them, and steps from rest on may grow slowly. */
+ * many have been that small, one after the other, and none was twice as long as those before. A stiff start has a few
+ * of them, and steps from rest on may grow slowly. */
 #define MOST_STEPS_TO_COME 1e12
 #define MOST_TINY_STEPS    10000
 
@@ -194,6 +195,20 @@ static gboolean fail_at_pole(TinkerIslandRun *run, GError **error)
     return tinker_island_run_fail_step(run, why, error);
 }
 
+/* Of a step that its method gave up: why, as the model says it, or else the method. */
+static gboolean fail_step(TinkerIslandRun *run, const TinkerStepReport *report, GError **error)
+{
+    TinkerModel *model = run->model;
+    /* methods are built in or plugins, and do not translate */
+    g_autofree char *words = tinker_plugin_words(NULL, run->choice.method, report->failure);
+    if (model->failure[0] == '\0' && words == NULL && !model->lacks_memory)
+        tinker_model_tell_failure(
+            model, _("the method %s answers that a step failed, and does not say why (its plugin is at fault)"),
+            run->choice.method->id);
+    const char *why = model->failure[0] != '\0' ? model->failure : words != NULL ? _(words) : NULL;
+    return tinker_island_run_fail_step(run, why, error);
+}
+
 gboolean tinker_island_run_step(TinkerIslandRun *run, double end, GError **error)
 {
     TinkerStepReport report = {.struct_size = sizeof(TinkerStepReport)};
@@ -209,12 +224,7 @@ gboolean tinker_island_run_step(TinkerIslandRun *run, double end, GError **error
     TinkerStatus status = step_once(run, limit, &report);
     gboolean failed = status != TINKER_OK || is_hopeless(run, state->t - from, end - state->t);
     if (failed && is_near_pole(run)) return fail_at_pole(run, error);
-    if (status != TINKER_OK) {
-        /* methods are built in or plugins, and do not translate */
-        g_autofree char *failure = tinker_plugin_words(NULL, run->choice.method, report.failure);
-        const char *why = run->model->failure[0] != '\0' ? run->model->failure : failure != NULL ? _(failure) : NULL;
-        return tinker_island_run_fail_step(run, why, error);
-    }
+    if (status != TINKER_OK) return fail_step(run, &report, error);
     if (failed)
         return tinker_island_run_fail_step(
             run,

@@ -1,4 +1,4 @@
-/* Methods that move nothing, and do not keep to the times of a step. */
+/* Methods that move nothing, and do not keep to the times of a step, or do not say why there is none. */
 #include <tinker/sdk.h>
 
 static char stepper;
@@ -42,6 +42,12 @@ static TinkerStatus step_nowhere(void *own, TinkerState *state, double limit, Ti
     return end_at(state, state->t, limit - state->t, report);
 }
 
+static TinkerStatus step_never(void *own, TinkerState *state, double limit, TinkerStepReport *report)
+{
+    report->failure = NULL;
+    return TINKER_FAILED;
+}
+
 static TinkerStatus interpolate(void *own, double t, double *q, double *v, double *books)
 {
     return TINKER_OK;
@@ -58,6 +64,7 @@ static const TinkerIntegrator integrators[] = {
     METHOD("short-of-limit", "Takes a fixed step of another length", 0, step_short),
     METHOD("other-step", "Reports another step than it made", 0, step_unlike),
     METHOD("no-step", "Stays where it is", 0, step_nowhere),
+    METHOD("no-reason", "Fails, and does not say why", 0, step_never),
 };
 
 TINKER_DEFINE_INTEGRATOR_PLUGIN("org.example.wrong-times", "Exhibit", "1.0.0", "MIT", integrators)
