@@ -1,7 +1,7 @@
 /* Amplitude spectra by the fast Fourier transform (KissFFT, in single precision: what is below a millionth of the
  * largest amplitude is rounding). */
-#ifndef TINKER_CORE_SPECTRUM_H
-#define TINKER_CORE_SPECTRUM_H
+#ifndef TINKER_CORE_MEASURE_SPECTRUM_H
+#define TINKER_CORE_MEASURE_SPECTRUM_H
 
 #include <glib.h>
 

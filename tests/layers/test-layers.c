@@ -214,6 +214,28 @@ static void test_no_block_is_named(gconstpointer data)
     }
 }
 
+/* A name that begins with TINKER_ is one for all: what headers define under it has one meaning. */
+static void test_names_mean_one(gconstpointer data)
+{
+    g_autofree char *folder = source_path(data);
+    g_autoptr(GPtrArray) files = source_files(folder);
+    g_autoptr(GHashTable) defined = g_hash_table_new_full(g_str_hash, g_str_equal, g_free, NULL);
+    g_autoptr(GRegex) define = g_regex_new("^#define (TINKER_[A-Z0-9_]+)", G_REGEX_MULTILINE, 0, NULL);
+    for (guint i = 0; i < files->len; i++) {
+        const char *file = g_ptr_array_index(files, i);
+        if (!g_str_has_suffix(file, ".h")) continue;
+        g_autofree char *path = g_build_filename(folder, file, NULL), *text = source_without_comments(path);
+        g_autoptr(GMatchInfo) found = NULL;
+        for (g_regex_match(define, text, 0, &found); g_match_info_matches(found); g_match_info_next(found, NULL)) {
+            char *name = g_match_info_fetch(found, 1);
+            const char *other = g_hash_table_lookup(defined, name);
+            if (other != NULL && strcmp(other, file) != 0)
+                g_test_fail_printf("%s is defined in %s and in %s", name, other, file);
+            g_hash_table_insert(defined, name, (gpointer)file);
+        }
+    }
+}
+
 int main(int argc, char **argv)
 {
     g_test_init(&argc, &argv, NULL);
@@ -232,6 +254,8 @@ int main(int argc, char **argv)
     g_test_add_data_func("/folders/plugins", "plugins", test_folders_are_small);
     g_test_add_func("/tests/are-built", test_tests_are_built);
     g_test_add_data_func("/names/core", "core", test_no_block_is_named);
+    g_test_add_data_func("/names/mean-one/core", "core", test_names_mean_one);
+    g_test_add_data_func("/names/mean-one/host", "host", test_names_mean_one);
     g_test_add_data_func("/names/host", "host", test_no_block_is_named);
     return g_test_run();
 }

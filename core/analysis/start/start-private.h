@@ -1,6 +1,6 @@
 /* What start conditions and advice share: which blocks hang together, writing places, the rest state. */
-#ifndef TINKER_CORE_START_PRIVATE_H
-#define TINKER_CORE_START_PRIVATE_H
+#ifndef TINKER_CORE_ANALYSIS_START_PRIVATE_H
+#define TINKER_CORE_ANALYSIS_START_PRIVATE_H
 
 #include "analysis/modes/equilibrium.h"
 #include "analysis/start/start-conditions.h"

@@ -6,8 +6,8 @@
  * are divided where the Legendre series of a function does not die out, or does not go on into the next panel's, as
  * about a jump that nobody told of, until the integrals stand still. What an impact gives is the jump of the velocity.
  */
-#ifndef TINKER_CORE_BOOKS_H
-#define TINKER_CORE_BOOKS_H
+#ifndef TINKER_CORE_BALANCE_BOOKS_H
+#define TINKER_CORE_BALANCE_BOOKS_H
 
 #include "equations/state/model-state.h"
 #include "physics/plan/run-options.h"

@@ -113,7 +113,7 @@ static int is_symmetric(const TinkerDampingSolver *solver)
         a1_square += mass * a1[i] * a1[i];
     }
     double most = sqrt(fmax(p0_square * a1_square, p1_square * a0_square));
-    return !(fabs(there - back) > TINKER_SYMMETRIC * most);
+    return !(fabs(there - back) > TINKER_SYMMETRIC_DAMPING * most);
 }
 
 /* A direction from the residual and its product, so that its image is at a right angle to those of the `*kept` before;

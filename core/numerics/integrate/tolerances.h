@@ -5,7 +5,7 @@
 
 /* No unit; of the largest product: a damping matrix whose products there and back differ by no more is symmetric.
  * Held by: -. */
-#define TINKER_SYMMETRIC 1e-9
+#define TINKER_SYMMETRIC_DAMPING 1e-9
 /* No unit; of the square of a vector: a part across that is less is rounding. Held by: -. */
 #define TINKER_SPANNED 1e-24
 /* No unit; of the largest speed so far: slower is rest. Held by: -. */
@@ -40,8 +40,8 @@
 /* No unit; of the usual step, and of the speed that a force brings about within one: trials that are shorter, and
  * motions that are slower, are those of something that sets in. Held by: physics-typed-start. */
 #define TINKER_CUT_DOWN 1e-3
-/* No unit; of what is left of the run, or of the piece: how long steps will be, if nothing moves yet and no force tells.
- * Held by: physics-typed-start. */
+/* No unit; of what is left of the run, or of the piece: how long steps will be, if nothing moves yet and no force
+ * tells. Held by: physics-typed-start. */
 #define TINKER_USUAL_AT_REST 1e-2
 /* No unit; of the time: a force that sets in does so no more exactly. Held by: physics-typed-start. */
 #define TINKER_SETS_IN (256 * DBL_EPSILON)

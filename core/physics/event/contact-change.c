@@ -332,7 +332,7 @@ static gboolean *groups_near(const TinkerContactRun *self)
 static void note_instant(TinkerContactRun *self)
 {
     const double t = self->run->state.t;
-    self->at_once = fabs(t - self->changed) <= TINKER_SAME_INSTANT * fabs(t) ? self->at_once + 1 : 0;
+    self->at_once = fabs(t - self->changed) <= TINKER_ONE_INSTANT * fabs(t) ? self->at_once + 1 : 0;
     self->changed = t;
 }
 

@@ -50,7 +50,7 @@ GArray *tinker_contact_turns_new(void)
 static gboolean stayed_closed(const TinkerContactRun *self, const TinkerTrigger *trigger, double passed)
 {
     const TinkerContactPlace place = tinker_contact_place(self->contacts, trigger->body, trigger->plate);
-    return passed <= TINKER_SAME_INSTANT * fabs(self->run->state.t) ||
+    return passed <= TINKER_ONE_INSTANT * fabs(self->run->state.t) ||
            passed * fabs(place.normal_speed) <= tinker_contact_run_closed_gap(self);
 }
 
@@ -82,7 +82,7 @@ static void note_blow(TinkerContactRun *self, const TinkerTrigger *trigger)
  * says nothing of that, but for its rounding. */
 void tinker_contact_run_note_turn(TinkerContactRun *self, const TinkerTrigger *trigger)
 {
-    const double t = self->run->state.t, soon = fmax(TINKER_BY_TURNS * self->usual, TINKER_SAME_INSTANT * fabs(t));
+    const double t = self->run->state.t, soon = fmax(TINKER_BY_TURNS * self->usual, TINKER_ONE_INSTANT * fabs(t));
     if (trigger->kind == TINKER_TRIGGER_GAP && trigger->row < 0) note_blow(self, trigger);
     if (!is_of_force(trigger->kind)) return;
     for (guint i = self->turns->len; i-- > 0;)

@@ -50,7 +50,7 @@
 /* No unit; of the time: an instant is known no better. */
 #define TINKER_INSTANT (8 * DBL_EPSILON)
 /* No unit; of the time: changes that follow so soon are at one instant. */
-#define TINKER_SAME_INSTANT (64 * DBL_EPSILON)
+#define TINKER_ONE_INSTANT (64 * DBL_EPSILON)
 /* No unit; of what another share of a load would accelerate bodies by itself: the motion depends on it where it makes
  * more of a difference. Held by: physics-contact-share. */
 #define TINKER_SHARE_MATTERS 1e-6

@@ -77,7 +77,7 @@ static gboolean is_symmetric(const Dense *dense, const double *a, double greates
 {
     for (gsize i = 0; i < dense->m; i++)
         for (gsize j = 0; j < i; j++)
-            if (fabs(a[j * dense->m + i] - a[i * dense->m + j]) > TINKER_SYMMETRIC * greatest) return FALSE;
+            if (fabs(a[j * dense->m + i] - a[i * dense->m + j]) > TINKER_SYMMETRIC_MATRIX * greatest) return FALSE;
     return TRUE;
 }
 
@@ -186,7 +186,7 @@ static gboolean keep_coupled(TinkerSpectrum *spectrum, const Dense *dense)
     g_autofree double *vectors = mixture(dense, 1, dense->stiffness, 0, dense->stiffness);
     g_autofree double *values = g_new0(double, dense->m);
     if (!tinker_eigen_symmetric((int32_t)dense->m, vectors, values)) return FALSE;
-    spectrum->falls = values[0] < -TINKER_SYMMETRIC * dense->greatest[0];
+    spectrum->falls = values[0] < -TINKER_SYMMETRIC_MATRIX * dense->greatest[0];
     spectrum->coupled =
         (TinkerCoupled){(int32_t)dense->m, g_memdup2(dense->stiffness, size), g_memdup2(dense->damping, size),
                         fmax(sqrt(dense->greatest[0]), dense->greatest[1]), 0};
@@ -223,7 +223,8 @@ gboolean spectrum_fill_dense(TinkerSpectrum *spectrum, TinkerStartMatrices *matr
     spectrum->omega_max = sqrt(fmax(stiffness, 0));
     if (common) return add_common_shapes(spectrum, &dense);
     if (!add_state_matrix(spectrum, &dense)) return FALSE;
-    if (spectrum->turned && !(damping > TINKER_SYMMETRIC * dense.greatest[1])) spectrum->damping_max = 0; /* rounding */
+    if (spectrum->turned && !(damping > TINKER_SYMMETRIC_MATRIX * dense.greatest[1]))
+        spectrum->damping_max = 0; /* rounding */
     return add_mixtures(spectrum, &dense, stiffness, damping) && keep_coupled(spectrum, &dense);
 }
 

@@ -20,7 +20,7 @@
  * of numerics/solve/rank.h, which the solvers go by. */
 #define TINKER_DEPENDENT_LENGTH 1e-5
 /* No unit; of the largest entry: a matrix whose entries differ by less across its diagonal is symmetric. */
-#define TINKER_SYMMETRIC 1e-9
+#define TINKER_SYMMETRIC_MATRIX 1e-9
 /* No unit; of the largest entry: the like of one whose entries may be differences, by its products. */
 #define TINKER_SYMMETRIC_DIFFERENCES 1e-6
 /* No unit; of the product of their largest entries: two matrices whose products differ by less commute. */

@@ -22,7 +22,7 @@ typedef struct {
     TinkerImpacts impacts;     /* of the run */
     double length, to, beyond; /* of its last step, see TinkerStepNews; ... */
     int32_t points, behind;    /* ... and its points, of which the first are behind */
-    double times[TINKER_MOST_POINTS];
+    double times[TINKER_MOST_STEP_POINTS];
     const double *states; /* in the news, or in what is kept of them */
     double *kept;
 } ComparisonPart;

@@ -46,7 +46,7 @@ static gboolean open_companion(TinkerComparison *self, TinkerIslandRuns *runs, c
         TinkerIslandRun *other = g_ptr_array_index(companion->runs, i);
         part->ends = tinker_companion_ends_new(other);
         part->marks = g_array_new(FALSE, FALSE, sizeof(ComparisonMark));
-        part->kept = g_new0(double, 2 * TINKER_MOST_POINTS * (gsize)other->model->coordinates);
+        part->kept = g_new0(double, 2 * TINKER_MOST_STEP_POINTS * (gsize)other->model->coordinates);
         other->abandoned = part->factor == 0 && self->bands == NULL; /* nobody asks where it is */
     }
     return TRUE;

@@ -9,7 +9,7 @@
 #include "physics/run/island-runs.h"
 
 /* Within one step. */
-#define TINKER_MOST_POINTS 3
+#define TINKER_MOST_STEP_POINTS 3
 
 typedef enum { TINKER_NEWS_STEP, TINKER_NEWS_SAMPLE } TinkerNewsKind;
 
@@ -24,7 +24,7 @@ typedef struct {
     double beyond; /* s: where it goes from the last point of the step, if a sample lies there */
     TinkerImpacts impacts;
     int32_t points; /* where the two are compared: times in ascending order; 0 unless it made a step */
-    double times[TINKER_MOST_POINTS];
+    double times[TINKER_MOST_STEP_POINTS];
     /* 4 a body for each point: places, then speeds, as the method has them; NAN where they are not known */
 } TinkerStepNews;
 

@@ -49,7 +49,7 @@ static int32_t choose_ends(TinkerEstimatePart *part, const TinkerIntegrator *met
     if (method->dense_order < method->order && part->grid.spacing > 0) {
         while ((next = tinker_time_grid_at(&part->grid, part->next_step)) <= from + slack)
             part->next_step++;
-        for (; next < part->reached - slack && points < TINKER_MOST_POINTS - 1;
+        for (; next < part->reached - slack && points < TINKER_MOST_STEP_POINTS - 1;
              next = tinker_time_grid_at(&part->grid, ++part->next_step))
             times[points++] = next;
     }

@@ -109,7 +109,7 @@ static TinkerRelay *open_relay(const TinkerEstimate *estimate)
     const gboolean beside = tinker_comparison_has_companion(comparison) && estimate->runs->model->bodies < MANY_BODIES;
     gsize largest = tinker_comparison_sample_bytes(comparison);
     for (guint i = 0; i < estimate->runs->runs->len; i++)
-        largest = MAX(largest, tinker_comparison_step_bytes(comparison, i, TINKER_MOST_POINTS));
+        largest = MAX(largest, tinker_comparison_step_bytes(comparison, i, TINKER_MOST_STEP_POINTS));
     return tinker_relay_new(largest, beside, tinker_comparison_take, comparison);
 }
 
