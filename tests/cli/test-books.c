@@ -1,6 +1,7 @@
 /* tinker books and the numbers of tinker diagram: against closed forms of a throw, a bounce and a pendulum. */
 #include <cjson/cJSON.h>
 #include <math.h>
+#include <string.h>
 
 #include "fixture.h"
 
@@ -392,10 +393,37 @@ static void test_diagram(CliFixture *fixture, gconstpointer data)
     cli_assert_holds(field->output, "nothing acts on it");
 }
 
+/* 2 kg that lie on 10 kg, taken as one: the floor carries 120 N, and what they press on each other with is left out. */
+static void test_touching(CliFixture *fixture, gconstpointer data)
+{
+    g_free(cli_write(
+        fixture, "a.json",
+        SCENE("{\"type\": \"support\", \"name\": \"Floor\", \"position\": [0, -0.2], \"width\": 6},"
+              "{\"type\": \"box\", \"name\": \"A\", \"mass\": 10, \"width\": 1, \"height\": 1, \"position\": [0, 0.5]},"
+              "{\"type\": \"box\", \"name\": \"B\", \"mass\": 2, \"width\": 0.4, \"height\": 0.4, \"position\": [0, "
+              "1.2]}")));
+    g_autoptr(TestProgram) diagram = cli_run_well(fixture, "diagram @a.json --block A --block B --as json");
+    cJSON *root = cJSON_Parse(diagram->output);
+    const cJSON *force;
+    double lift = 0;
+    cJSON_ArrayForEach(force, cJSON_GetObjectItem(root, "forces"))
+    {
+        const char *by = cJSON_GetObjectItem(force, "from")->valuestring;
+        g_assert_true(strcmp(by, "Floor") == 0 || strcmp(by, "Gravity") == 0);
+        if (strcmp(by, "Floor") == 0) lift += cJSON_GetArrayItem(cJSON_GetObjectItem(force, "force"), 1)->valuedouble;
+    }
+    g_assert_cmpfloat_with_epsilon(lift, 120, 1e-9);
+    g_assert_cmpint(cJSON_GetArraySize(cJSON_GetObjectItem(root, "cancelled")), ==, 2);
+    cJSON_Delete(root);
+    g_autoptr(TestProgram) books = cli_run_well(fixture, "books @a.json");
+    cli_assert_holds(books->output, "Between the bodies: forces cancel, and only work counts\n  A\n  B\n");
+}
+
 int main(int argc, char **argv)
 {
     g_test_init(&argc, &argv, NULL);
     cli_test_add("/cli/books/throw", test_throw);
+    cli_test_add("/cli/books/touching", test_touching);
     cli_test_add("/cli/books/bounce", test_bounce);
     cli_test_add("/cli/books/ends-at-impact", test_ends_at_impact);
     cli_test_add("/cli/books/struck", test_struck);

@@ -86,7 +86,7 @@ static void test_carts(CliFixture *fixture, gconstpointer data)
         "\"position\": [-3, 0.2], \"velocity\": [3, 0]}, {\"type\": \"mass\", \"name\": \"B\", \"position\": [1, 0.2], "
         "\"velocity\": [-1, 0]}]}");
     static const char *const meet = "warning: A and B meet at 0.8 s, moved on with their start velocities: they pass "
-                                    "through each other, as contact between bodies is not modelled\n";
+                                    "through each other, as not both of them have \"collides\" on\n";
     g_autoptr(TestProgram) check = cli_run_well(fixture, "check @a.json");
     cli_assert_holds(check->error, meet);
     g_autoptr(TestProgram) plan = cli_run_well(fixture, "plan @a.json");
@@ -95,8 +95,8 @@ static void test_carts(CliFixture *fixture, gconstpointer data)
     g_autoptr(TestProgram) brief = cli_run_well(fixture, "plan @a.json --duration 0.75");
     g_assert_null(strstr(brief->output, "meet at"));
     g_autoptr(TestProgram) run = cli_run_well(fixture, "run @a.json");
-    cli_assert_holds(run->output, "  warning: A and B overlap at 1 s: they pass through each other, as contact between "
-                                  "bodies is not modelled\n");
+    cli_assert_holds(run->output, "  warning: A and B overlap at 1 s: they pass through each other, as not both of "
+                                  "them have \"collides\" on\n");
 }
 
 /* A rope with an end between on a disc's centre: check, plan and run say that it does not run round the disc. */

@@ -69,6 +69,27 @@ static void test_two_discs(CliFixture *fixture, gconstpointer data)
 }
 
 /* Gears that gainsay one another leave nothing that turns, nor does a weld to what stands. */
+/* What turns freely on the whole has roots of 0, and none of rounding; where it is braked, one is not 0. */
+static void test_free(CliFixture *fixture, gconstpointer data)
+{
+    cJSON *root =
+        form_of(fixture, DISCS("{\"type\": \"torsional-spring\", \"ends\": [\"A\", \"B\"], \"stiffness\": 30}"));
+    const cJSON *island = cJSON_GetArrayItem(cJSON_GetObjectItem(root, "islands"), 0);
+    g_assert_cmpfloat(number(island, "omega", 0), ==, 0);
+    g_assert_cmpfloat_with_epsilon(number(island, "omega", 1), sqrt(30 / 2.0 + 30 / 5.0), 1e-12);
+    cJSON_Delete(root);
+    root = form_of(fixture, DISCS("{\"type\": \"torsional-damper\", \"ends\": [\"O\", \"A\"], \"damping\": 3},"
+                                  "{\"type\": \"torsional-damper\", \"ends\": [\"A\", \"B\"], \"damping\": 4}"));
+    island = cJSON_GetArrayItem(cJSON_GetObjectItem(root, "islands"), 0);
+    /* s of [2 s + 7, -4; -4, 5 s + 4]: 10 s^2 + 43 s + 12 = 0 */
+    const double far = (43 + sqrt(43 * 43 - 4 * 10 * 12)) / 20;
+    for (int i = 0; i < 2; i++)
+        g_assert_cmpfloat(number(island, "omega", i), ==, 0);
+    g_assert_cmpfloat_with_epsilon(number(island, "decay", 0), 1.2 / far, 1e-12);
+    g_assert_cmpfloat_with_epsilon(number(island, "decay", 1), far, 1e-12);
+    cJSON_Delete(root);
+}
+
 static void test_without_form(CliFixture *fixture, gconstpointer data)
 {
     static const char *const scenes[] = {
@@ -88,6 +109,7 @@ static void test_without_form(CliFixture *fixture, gconstpointer data)
 int main(int argc, char **argv)
 {
     g_test_init(&argc, &argv, NULL);
+    cli_test_add("/cli/equations-shafts/free", test_free);
     cli_test_add("/cli/equations-shafts/geared", test_geared);
     cli_test_add("/cli/equations-shafts/two-discs", test_two_discs);
     cli_test_add("/cli/equations-shafts/without-form", test_without_form);

@@ -61,7 +61,11 @@ static TinkerStatus hold_rows(TinkerBatch *batch, const TinkerPoint *ends, doubl
 static TinkerStatus hold_scale(TinkerBatch *batch, double *length)
 {
     for (int32_t i = 0; i < 2 * batch->count; i++)
+#if defined(PLANT_scale)
+        length[i] = -1;
+#else
         length[i] = 1;
+#endif
     return TINKER_OK;
 }
 

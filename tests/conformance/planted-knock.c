@@ -1,4 +1,4 @@
-/* knock: a blow at an instant, of which the law tells. */
+/* knock: a blow at an instant, of which the law tells. clap: one between two ends, along the line between them. */
 #include "planted.h"
 
 enum { COLUMN_BLOW, COLUMN_TIME };
@@ -34,6 +34,33 @@ static TinkerStatus blow(TinkerBatch *batch, const TinkerPoint *ends, double *im
     return TINKER_OK;
 }
 
+static TinkerStatus clap_force(TinkerBatch *batch, const TinkerPoint *ends, double *force)
+{
+    for (int32_t i = 0; i < 4 * batch->count; i++)
+        force[i] = 0;
+    return TINKER_OK;
+}
+
+static TinkerStatus clap_blow(TinkerBatch *batch, const TinkerPoint *ends, double *impulse)
+{
+    for (int32_t i = 0; i < batch->count; i++) {
+        const TinkerPoint *a = &ends[2 * i], *b = a + 1;
+        const double dx = b->x - a->x, dy = b->y - a->y, length = tinker_length(dx, dy);
+        const int strikes = tinker_column(batch, COLUMN_TIME)[i] == batch->time && length > 0;
+        const double given = strikes ? tinker_column(batch, COLUMN_BLOW)[i] : 0;
+        double *j = &impulse[4 * i];
+        j[0] = length > 0 ? given * (dx / length) : 0;
+        j[1] = length > 0 ? given * (dy / length) : 0;
+        j[2] = -j[0];
+        j[3] = -j[1];
+#if defined(PLANT_blow_unbalanced)
+        j[2] *= 1.001;
+        j[3] *= 1.001;
+#endif
+    }
+    return TINKER_OK;
+}
+
 const TinkerPropertyType planted_knock_properties[] = {
     {TINKER_REAL_PROPERTY("blow", "Blow", "Knock", TINKER_DIMENSION_MOMENTUM), TINKER_ANY_VALUE(0, -10, 10),
      .symbol = "J", .description = "How hard it strikes"},
@@ -55,3 +82,9 @@ static const TinkerForceElement element = {
 static const TinkerPhysics knock = {.struct_size = sizeof(TinkerPhysics), .force_element = &element};
 
 const TinkerInterface planted_knock_interfaces[] = {{TINKER_PHYSICS_INTERFACE, &knock}};
+
+static const TinkerForceElement clap_element = {
+    .struct_size = sizeof(TinkerForceElement), .force = clap_force, .next_blow = next_blow, .blow = clap_blow};
+static const TinkerPhysics clap = {.struct_size = sizeof(TinkerPhysics), .force_element = &clap_element};
+
+const TinkerInterface planted_clap_interfaces[] = {{TINKER_PHYSICS_INTERFACE, &clap}};

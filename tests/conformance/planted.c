@@ -1,6 +1,7 @@
 /* One good library, and with PLANT_... defined the same with one fault. It has line laws (pull, rub), force elements
- * (pair, follow, knock), a field (gather), a body (ball), constraints (keep, hold), a motion (sway) and an integrator
- * (simple): those of the parts for which LISTS_... is defined, as each that is listed takes its time to check. */
+ * (pair, follow, knock, clap), a field (gather), a body (ball), constraints (keep, hold), a motion (sway) and an
+ * integrator (simple): those of the parts for which LISTS_... is defined, as each that is listed takes its time to
+ * check. */
 #include <locale.h>
 #include <sys/stat.h>
 
@@ -75,6 +76,9 @@ static const TinkerBlockType blocks[] = {
     {TINKER_BLOCK("planted-knock", "Knock", TINKER_FORCE), .summary = "A blow", .least_ends = 1, .most_ends = 1,
      .end_accepts = TINKER_ACCEPTS_BODY, .properties = TINKER_SPAN(planted_knock_properties),
      .interfaces = TINKER_SPAN(planted_knock_interfaces), .law = TINKER_SPAN(planted_knock_law)},
+    {TINKER_BLOCK("planted-clap", "Clap", TINKER_CONNECTOR), .summary = "Blows at both ends", .least_ends = 2,
+     .most_ends = 2, .end_accepts = TINKER_ACCEPTS_BODY, .properties = TINKER_SPAN(planted_knock_properties),
+     .interfaces = TINKER_SPAN(planted_clap_interfaces)},
 #endif
 #ifdef LISTS_forces
     {TINKER_BLOCK("planted-pair", "Pair", TINKER_CONNECTOR), .summary = "Pulls two together", .least_ends = 2,

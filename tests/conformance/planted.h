@@ -36,9 +36,9 @@ extern const TinkerPropertyType planted_pull_properties[3], planted_knock_proper
     planted_follow_properties[1], planted_gather_properties[1], planted_ball_properties[4], planted_keep_properties[1],
     planted_hold_properties[1], planted_sway_properties[4];
 extern const TinkerQuantityType planted_quantities[1];
-extern const TinkerInterface planted_pull_interfaces[4], planted_knock_interfaces[1], planted_rub_interfaces[1],
-    planted_pair_interfaces[1], planted_follow_interfaces[1], planted_gather_interfaces[1], planted_ball_interfaces[1],
-    planted_keep_interfaces[1], planted_hold_interfaces[1], planted_sway_interfaces[1];
+extern const TinkerInterface planted_pull_interfaces[4], planted_knock_interfaces[1], planted_clap_interfaces[1],
+    planted_rub_interfaces[1], planted_pair_interfaces[1], planted_follow_interfaces[1], planted_gather_interfaces[1],
+    planted_ball_interfaces[1], planted_keep_interfaces[1], planted_hold_interfaces[1], planted_sway_interfaces[1];
 extern const TinkerIntegrator planted_integrators[1];
 
 #endif

@@ -91,8 +91,59 @@ static void test_roots(void)
     }
 }
 
+/* Levels that are touched where they are crossed before and behind, or in the middle of a piece: as a motor's waveform
+ * and as a law, against the times at which sines pass levels. */
+static void test_touches(void)
+{
+    static const char *const blocks[] = {
+        RESTS "{'type': 'law-force', 'ends': ['Mass 0'], 'force_x': '%s'}",
+        RESTS "{'type': 'motor', 'ends': ['Mass 0'], 'waveform': {'expression': '%s'}}",
+    };
+    const struct {
+        const char *law;
+        double until, impulse;
+    } cases[] = {
+        {"floor(sin(t))", 4, G_PI - 4},
+        {"floor(2*sin(t))", G_PI, 2 * G_PI / 3},
+        {"floor(3*cos(t))", G_PI_2, acos(1.0 / 3) + acos(2.0 / 3)},
+        {"square(pi*sin(t))", G_PI, G_PI},
+        {"mod(floor(t),2)", 4, 2},
+    };
+    for (gsize i = 0; i < G_N_ELEMENTS(cases); i++)
+        for (gsize k = 0; k < G_N_ELEMENTS(blocks); k++) {
+            g_autoptr(GString) text = g_string_new(blocks[k]);
+            g_string_replace(text, "%s", cases[i].law, 1);
+            g_autoptr(PhysicsRun) run = run_law("auto", cases[i].until, text->str);
+            g_test_message("%s", text->str);
+            physics_assert_near("speed", physics_last(run, 1), cases[i].impulse / 2, 1e-7);
+        }
+}
+
+/* Breaks that are nearer to one another than the steps: what they leave of steps is not the same for the companion. */
+static void test_dense_breaks(void)
+{
+    static const char *const methods[] = {"newmark", "generalized-alpha", "verlet", "rk4", "semi-implicit-euler"};
+    const char *law = "{'type': 'mass', 'velocity': [1, 0]},"
+                      "{'type': 'law-force', 'ends': ['Mass 0'], 'force_x': '-400*x + 10*square(2*pi*100*t)'}";
+    g_autoptr(PhysicsRun) truth = physics_run(
+        &(PhysicsOptions){.duration = 2, .method = "dop853", .tolerance = 1e-12, .columns = "Mass 0.vx"}, "%s", law);
+    for (gsize i = 0; i < G_N_ELEMENTS(methods); i++) {
+        g_autoptr(PhysicsRun) run = physics_run(
+            &(PhysicsOptions){
+                .duration = 2, .method = methods[i], .step = 0.02, .estimate = TRUE, .columns = "Mass 0.vx"},
+            "%s", law);
+        const double off = fabs(physics_last(run, 0) - physics_last(truth, 0));
+        const double estimate = tinker_simulation_summary(run->simulation)->error_estimate;
+        g_test_message("%s: off by %.3g, and says %.3g", methods[i], off, estimate);
+        g_assert_cmpfloat(off, >, 1e-6);
+        g_assert_cmpfloat(estimate, >, off / 1.5); /* of the largest speed, which is 1 m/s or more */
+    }
+}
+
 static void add_tests(void)
 {
+    g_test_add_func("/timed-laws/touches", test_touches);
+    g_test_add_func("/timed-laws/dense-breaks", test_dense_breaks);
     g_test_add_func("/timed-laws/roots", test_roots);
     g_test_add_func("/timed-laws/pieces", test_pieces);
     g_test_add_func("/timed-laws/with-places", test_with_places);

@@ -176,11 +176,11 @@ static void test_words(void)
         const char *a, *b, *words;
     } rows[] = {
         {"\"velocity\": [3, 0]", "\"velocity\": [-1, 0]",
-         "A and B meet at 0.8 s, moved on with their start velocities: they pass through each other, as contact "
-         "between "
-         "bodies is not modelled"},
+         "A and B meet at 0.8 s, moved on with their start velocities: they pass through each other, as not both "
+         "of them have \"collides\" on"},
         {"\"width\": 8", "\"width\": 0.8",
-         "A and B overlap at the start: they pass through each other, as contact between bodies is not modelled"},
+         "A and B overlap at the start: they pass through each other, as not both of them have "
+         "\"collides\" on"},
         {"\"velocity\": [3, 0], \"height\": 0", "\"velocity\": [-1, 0]", NULL},
         {"\"velocity\": [0.2, 0]", "\"velocity\": [0, 0]", NULL}, /* not within 4 s */
         {"\"velocity\": [30, 0]", "\"velocity\": [0, 30]", NULL},

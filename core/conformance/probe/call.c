@@ -71,6 +71,17 @@ KitAnswer *kit_call(KitCheck *check, const KitFunction *function, const KitState
     return answer;
 }
 
+KitAnswer *kit_call_first_blow(KitCheck *check, const GArray *functions, KitState *state)
+{
+    const KitFunction *next = kit_function(functions, "next_blow"), *blow = kit_function(functions, "blow");
+    if (next == NULL || blow == NULL) return NULL;
+    state->time = -1;
+    g_autoptr(KitAnswer) when = kit_call_well(check, next, state);
+    if (when == NULL || !isfinite(when->values[0][0])) return NULL;
+    state->time = when->values[0][0];
+    return kit_call_well(check, blow, state);
+}
+
 void kit_answer_free(KitAnswer *answer)
 {
     if (answer == NULL) return;

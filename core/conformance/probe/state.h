@@ -146,6 +146,10 @@ G_DEFINE_AUTOPTR_CLEANUP_FUNC(KitAnswer, kit_answer_free)
 /* Calls a function of which only TINKER_OK will do: else the check is decided and NULL answered, */
 KitAnswer *kit_call_well(KitCheck *check, const KitFunction *function, const KitState *state);
 
+/* Sets the state's time to that of the first blow after -1 s, and asks for that blow. NULL: there is none, or the check
+ * is decided. (transfer full) */
+KitAnswer *kit_call_first_blow(KitCheck *check, const GArray *functions, KitState *state);
+
 /* The batch that a state's instances make; `columns` has room for one pointer a column. */
 TinkerBatch kit_state_view(const KitState *state, const double **columns);
 

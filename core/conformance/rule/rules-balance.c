@@ -56,6 +56,22 @@ static gboolean is_zero(double value, double size)
     return fabs(value) <= CLOSE * size;
 }
 
+/* What a blow between ends gives one of them it takes from the others, as a force does. */
+static void try_blow(KitCheck *check, const GArray *functions)
+{
+    g_autoptr(KitState) state = kit_state_new(check, KIT_COUNT);
+    if (state == NULL) return;
+    g_autoptr(KitAnswer) answer = kit_call_first_blow(check, functions, state);
+    for (int32_t i = 0; answer != NULL && i < state->count && !kit_decided(check); i++) {
+        const int32_t from = state->offsets[i], ends = state->offsets[i + 1] - from;
+        const Sum sum = sum_of(state->points + from, answer->values[0] + 2 * from, NULL, ends);
+        if (is_zero(hypot(sum.force[0], sum.force[1]), sum.size)) continue;
+        g_autofree char *values = kit_state_describe(state, i);
+        kit_fail(check, "the impulses of its blow sum to (%.6g, %.6g) N s, 0 was expected (%s)", sum.force[0],
+                 sum.force[1], values);
+    }
+}
+
 static void judge_sum(KitCheck *check, const KitState *state, int32_t instance, Sum sum, gboolean moment)
 {
     g_autofree char *values = kit_state_describe(state, instance);
@@ -74,6 +90,8 @@ static void try_sums(KitCheck *check, gboolean moment)
     g_autoptr(GArray) functions = kit_functions(check->block_class);
     const KitFunction *function = force_function(check, functions);
     for (int round = 0; round < ROUNDS && function != NULL && !kit_decided(check); round++) {
+        if (!moment) try_blow(check, functions);
+        if (kit_decided(check)) return;
         g_autoptr(KitState) state = kit_state_new(check, KIT_COUNT);
         g_autoptr(KitAnswer) answer = state == NULL ? NULL : kit_call_well(check, function, state);
         if (answer == NULL) return;

@@ -91,13 +91,15 @@ static void look_at_numbers(KitCheck *check, const KitFunction *function, const 
         if (output->integers) continue;
         for (gsize i = 0; i < answer->entries[k]; i++) {
             const double value = answer->values[k][i];
-            if (isfinite(value) || (output->infinite && value == INFINITY)) continue;
+            const gboolean negative = output->tolerance && value < 0;
+            if ((isfinite(value) && !negative) || (output->infinite && value == INFINITY)) continue;
             if (kit_output_is_absent(output, state, value)) continue;
             const gsize entry = i / (gsize)output->width;
             g_autofree char *where = kit_entry_name(output, state, entry);
             g_autofree char *values = kit_entry_describe(output, state, entry);
-            kit_fail(check, "%s: \"%s\" of %s is %g at %s (%s)", function->name, output->name, where,
-                     isnan(value) ? NAN : value, state->label, values); // nan without the sign that it may have
+            kit_fail(check, "%s: \"%s\" of %s is %g at %s%s (%s)", function->name, output->name, where,
+                     isnan(value) ? NAN : value, state->label, // nan without the sign that it may have
+                     negative ? ", which no length is" : "", values);
             return;
         }
     }

@@ -96,16 +96,13 @@ static void compare_state(KitCheck *check, const KitFunction *function, const Ki
 }
 
 /* At the instant of the first blow, those that strike then. */
-static void try_blows(KitCheck *check, const KitFunction *next, const KitFunction *blow)
+static void try_blows(KitCheck *check, const GArray *functions)
 {
+    const KitFunction *blow = kit_function(functions, "blow");
     const int32_t instant = check->block_class->meanings[TINKER_MEANING_INSTANT];
     g_autoptr(KitState) state = kit_state_new(check, KIT_COUNT);
     if (state == NULL) return;
-    state->time = -1;
-    g_autoptr(KitAnswer) when = kit_call_well(check, next, state);
-    if (when == NULL || !isfinite(when->values[0][0])) return;
-    state->time = when->values[0][0];
-    g_autoptr(KitAnswer) answer = kit_call_well(check, blow, state);
+    g_autoptr(KitAnswer) answer = kit_call_first_blow(check, functions, state);
     for (int32_t i = 0; answer != NULL && i < state->count && !kit_decided(check); i++) {
         if (instant < 0 || state->columns[check->block_class->first_columns[instant]][i] != state->time) continue;
         g_autoptr(TinkerBlockLaw) law = law_of(check, state, i);
@@ -124,9 +121,8 @@ void kit_try_law(KitCheck *check)
     if (kit_decided(check)) return;
     const KitFunction *function = kit_function(functions, asked[role]);
     if (function == NULL) function = kit_function(functions, "rotation");
-    const KitFunction *next = kit_function(functions, "next_blow"), *blow = kit_function(functions, "blow");
     for (int round = 0; round < ROUNDS && !kit_decided(check); round++) {
-        if (next != NULL && blow != NULL) try_blows(check, next, blow);
+        try_blows(check, functions);
         if (kit_decided(check)) return;
         g_autoptr(KitState) state = kit_state_new(check, KIT_COUNT);
         if (state == NULL) return;

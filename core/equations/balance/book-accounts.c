@@ -20,9 +20,11 @@ TinkerBookBody *tinker_book_body(const TinkerBookKeeper *keeper, TinkerBlockId b
     return NULL;
 }
 
-/* Whether all that a block is attached to is among the bodies. */
+/* Whether a block acts between the bodies alone: all that it is attached to is among them, or it is one of them, which
+ * touches others. */
 static gboolean is_inner(const TinkerBookKeeper *keeper, TinkerBlockId block)
 {
+    if (tinker_book_body(keeper, block) != NULL) return TRUE;
     const int32_t ends = tinker_scene_end_count(keeper->scene, block);
     for (int32_t i = 0; i < ends; i++)
         if (tinker_book_body(keeper, tinker_scene_end(keeper->scene, block, i).block) == NULL) return FALSE;
@@ -148,7 +150,9 @@ void tinker_book_conclude(TinkerBookKeeper *keeper)
         const TinkerBlockId block = tinker_scene_block_at(keeper->scene, i);
         TinkerBookAccount *account = &g_array_index(keeper->accounts, TinkerBookAccount, block);
         if (account->entry.by != block) continue;
-        if (fabs(account->entry.all.angular) > CANCELS * account->angular) account->entry.inner = FALSE;
+        const gboolean touches =
+            tinker_book_body(keeper, block) != NULL; /* what it gives it takes by another account */
+        if (!touches && fabs(account->entry.all.angular) > CANCELS * account->angular) account->entry.inner = FALSE;
         g_array_append_val(books->entries, account->entry);
         sums[0] += account->work;
         sums[1] += account->impulse;

@@ -12,9 +12,11 @@ static gboolean is_listed(const TinkerBlockId *blocks, TinkerBlockId block)
     return FALSE;
 }
 
-/* Whether all that a block acts on is among the blocks. */
+/* Whether a block acts between the blocks alone: all that it acts on is among them, or it is one of them, which touches
+ * others. */
 static gboolean is_inner(TinkerScene *scene, const TinkerBlockId *blocks, TinkerBlockId by)
 {
+    if (is_listed(blocks, by)) return TRUE;
     const int32_t ends = tinker_scene_end_count(scene, by);
     for (int32_t i = 0; i < ends; i++)
         if (!is_listed(blocks, tinker_scene_end(scene, by, i).block)) return FALSE;

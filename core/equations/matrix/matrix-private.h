@@ -4,6 +4,10 @@
 
 #include "equations/matrix/matrix.h"
 
+/* A matrix by rows. (transfer full) */
+double *tinker_matrix_numbers(const TinkerEquations *equations, const TinkerMatrixIsland *island,
+                              TinkerMatrixKind kind);
+
 /* Fills omega, zeta, decay and unstable. */
 void tinker_matrix_roots(const TinkerEquations *equations, TinkerMatrixIsland *island);
 

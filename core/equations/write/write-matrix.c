@@ -162,6 +162,11 @@ static void write_roots(TinkerPage *page, const TinkerMatrixForm *form, const Ti
         }
         tinker_page_equation(page, natural_name(page, index), tinker_page_quantity(page, omega, frequency),
                              g_strdup(omega > 0 ? _("natural frequency") : _("nothing brings it back")));
+        if (omega == 0 && !isnan(island->decay[i]))
+            tinker_page_equation(page, tinker_page_written(page, "s", index, 0),
+                                 tinker_page_quantity(page, -island->decay[i], rate),
+                                 g_strdup(island->decay[i] > 0 ? _("so fast its speed dies away")
+                                                               : _("it is not stable: so fast its speed grows")));
         if (!isnan(zeta))
             tinker_page_equation(page, tinker_page_written(page, "ζ", n == 1 ? "" : index, 0),
                                  tinker_page_quantity(page, zeta, pure),

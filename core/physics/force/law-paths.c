@@ -230,9 +230,12 @@ gboolean tinker_law_enclose(const TinkerLawForce *law, const TinkerLawStep *step
         between.length = length_of_ways(way, &length) ? reach_of(&length, low, high) : length_of_box(between.axis);
     const TinkerInterval time = {time_at(step, low), time_at(step, high)};
     TinkerInterval arguments[TINKER_TYPED_MOST_ARGUMENTS];
-    for (int i = 0; i < law->count; i++)
+    int by_time = -1; /* breaks, which no step crosses */
+    for (int i = 0; i < law->count; i++) {
         arguments[i] = argument_of(law, law->arguments[i], &between, time);
-    return tinker_compiled_enclose(law->force, arguments, force);
+        if (law->arguments[i] == TINKER_LAW_T) by_time = i;
+    }
+    return tinker_compiled_enclose(law->force, arguments, by_time, force);
 }
 
 double tinker_law_force_at(const TinkerLawForce *law, const TinkerLawStep *step, double at)

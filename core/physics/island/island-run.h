@@ -40,9 +40,13 @@ typedef struct {
     double *room; /* which all these and the books lie in */
     TinkerTimeGrid step_grid;
     gint64 next_step; /* on the step grid, of a method that is not adaptive */
+    gboolean is_companion;
+    double
+        half; /* s: of a companion with fixed steps: one that is cut short is made in two, and the second ends here */
     double
         latest; /* s: of an adaptive method no step goes beyond it, unless it is behind; INFINITY but in a companion */
-    double piece_end;       /* the current piece ends here: */
+    double piece_from;      /* the current piece begins here, with a break; -INFINITY: with none */
+    double piece_end;       /* it ends here: */
     gboolean ends_on_break; /* with a break, or only because nobody looked further */
     gboolean abandoned; /* of a companion: what it follows is not determined any more, and nobody asks where it is */
     TinkerBreakCrowd crowd; /* of pieces that are too short */

@@ -31,6 +31,19 @@ int32_t plan_count_meeting(const TinkerModel *model, const TinkerRunOptions *opt
     return (options->impulses ? solid > 1 : any_meet(model->contacts)) ? solid : 0;
 }
 
+/* A mass has a box that never turns: beside bodies that do, nothing shows what holds it. */
+static void describe_masses(TinkerPlan *plan, const TinkerModel *model)
+{
+    int32_t first = 0;
+    while (first < model->bodies && !(tinker_contacts_has_outline(model->contacts, first) &&
+                                      tinker_model_turn_of(model, first) < 0 && model->contacts->reach[first] > 0))
+        first++;
+    if (first == model->bodies) return;
+    plan_say(plan->left_out,
+             _("turning of masses: bodies meet %s at the corners of its box, which never turns (a box or a disc does)"),
+             tinker_scene_block_name(model->scene, model->body_blocks[first]));
+}
+
 /* Contact of bodies among themselves. */
 static void describe_meeting(TinkerPlan *plan, const TinkerModel *model, const TinkerRunOptions *options)
 {
@@ -46,6 +59,7 @@ static void describe_meeting(TinkerPlan *plan, const TinkerModel *model, const T
              plan_counted(
                  text, g_dngettext(GETTEXT_PACKAGE, "%d body that meets others", "%d bodies that meet", (gulong)solid),
                  solid));
+    if (model->turning > 0) describe_masses(plan, model);
     if (solid < model->bodies)
         plan_say(plan->left_out,
                  _("contact of other bodies with each other and with these: they pass through each other"));

@@ -101,6 +101,7 @@ TinkerIslandRuns *tinker_companion_new(TinkerIslandRuns *runs, TinkerModel *mode
     TinkerIslandRuns *companion = tinker_island_runs_new(model, &options, choices, error);
     for (guint i = 0; companion != NULL && i < companion->runs->len; i++) {
         TinkerIslandRun *run = g_ptr_array_index(companion->runs, i);
+        run->is_companion = TRUE;
         if (run->contacts != NULL) put_off(run);
     }
     return companion;

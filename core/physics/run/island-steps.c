@@ -99,6 +99,19 @@ void tinker_island_run_free(TinkerIslandRun *run)
     g_free(run);
 }
 
+/* Between breaks that are nearer to one another than its steps the run has what they leave for a step, and a companion
+ * the same: half of it tells what that is off by. Of a companion's step to `next` the end of its first half, or of the
+ * second. */
+static double cut_in_two(TinkerIslandRun *run, double next, double slack)
+{
+    const double t = run->state.t, middle = t + 0.5 * (next - t);
+    if (run->half > t && run->half <= next) return run->half;
+    const gboolean beside_break = t == run->piece_from || (next == run->piece_end && run->ends_on_break);
+    if (!beside_break || next - t >= run->step_grid.spacing - slack || !(t < middle && middle < next)) return next;
+    run->half = next;
+    return middle;
+}
+
 /* The end of the next step: the next time of the grid, or the end of the piece or the run where that comes first or all
  * but coincides. Never a sample: who looks when changes no step. */
 static double step_limit(TinkerIslandRun *run, double run_end)
@@ -108,7 +121,8 @@ static double step_limit(TinkerIslandRun *run, double run_end)
     double slack = 1e-9 * run->step_grid.spacing, next;
     while ((next = tinker_time_grid_at(&run->step_grid, run->next_step)) <= t + slack)
         run->next_step++;
-    return next < end - slack ? next : end;
+    next = next < end - slack ? next : end;
+    return run->is_companion && !tinker_method_is_exact(run->choice.method) ? cut_in_two(run, next, slack) : next;
 }
 
 /* Whether the steps of an adaptive method are too small for the run to end. */

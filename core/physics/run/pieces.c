@@ -174,8 +174,9 @@ gboolean tinker_island_run_enter_piece(TinkerIslandRun *run, double horizon, gbo
     TinkerBlockId pole_block = run->pole_block;
     const double pole = tinker_model_next_pole(model, &pole_block);
     if (jumps != NULL) *jumps = FALSE;
-    if (!cross_break(run, end > t ? 0.5 * (t + end) : t + 0.5, jumps, error)) return FALSE;
+    if (!cross_break(run, tinker_time_inside(t, end > t ? end : INFINITY), jumps, error)) return FALSE;
     run->ends_on_break = isfinite(next);
+    run->piece_from = on_break ? t : -INFINITY;
     run->piece_end = end;
     run->pole = pole;
     run->pole_block = pole_block;

@@ -57,8 +57,8 @@ static void look_for_overlap(TinkerSimulation *simulation, double t)
     const TinkerScene *scene = simulation->all->model->scene;
     tinker_summary_warn_of_scene(
         &simulation->all->summary,
-        g_strdup_printf(_("%s and %s overlap at %.6g s: they pass through each other, as contact between "
-                          "bodies is not modelled"),
+        g_strdup_printf(_("%s and %s overlap at %.6g s: they pass through each other, as not both of them have "
+                          "\"collides\" on"),
                         tinker_scene_block_name(scene, pair[0]), tinker_scene_block_name(scene, pair[1]), t));
     g_clear_pointer(&simulation->watch, tinker_box_watch_free);
 }

@@ -10,6 +10,7 @@
 
 /* A law that is worked out nearer to a break than this many roundings of t may be that of the other side. */
 #define ROUNDINGS 8
+#define AT_ORIGIN 1e-18 /* s */
 
 /* No break of a waveform lies between `from` and `next`, and none up to `horizon` where next is infinite; the first
  * pole there, INFINITY for none. */
@@ -126,10 +127,10 @@ void tinker_block_batch_set_steady(TinkerBlockBatch *batch)
     }
 }
 
-/* s: so many roundings of t. */
+/* s: so many roundings of t, or at the origin of time next to nothing. */
 static double beside(double t)
 {
-    return ROUNDINGS * DBL_EPSILON * fabs(t);
+    return fmax(ROUNDINGS * DBL_EPSILON * fabs(t), AT_ORIGIN);
 }
 
 /* Within the pieces of all laws that contain `inside`. */
@@ -161,6 +162,7 @@ void tinker_block_batch_enter_piece(TinkerBlockBatch *batch, double inside)
 /* What was known before a search from t says where the piece of t began. */
 static double begin_of(const struct _TinkerPiece *before, double t)
 {
+    if (isnan(before->from)) return t; /* all begins here */
     if (t >= before->next) return before->next;
     return t >= before->begin ? before->begin : -INFINITY;
 }
@@ -190,7 +192,7 @@ double tinker_block_batch_next_break(TinkerBlockBatch *batch, double t, double h
 void tinker_block_batch_enter_behind(TinkerBlockBatch *batch, double t)
 {
     const double next = tinker_block_batch_next_break(batch, t, t + 1.0);
-    tinker_block_batch_enter_piece(batch, isfinite(next) ? 0.5 * (t + next) : t + 0.5);
+    tinker_block_batch_enter_piece(batch, tinker_time_inside(t, next));
 }
 
 int32_t tinker_block_batch_break_row(const TinkerBlockBatch *batch)

@@ -208,11 +208,6 @@ char *tinker_block_batch_refusal(const TinkerBlockBatch *batch, const TinkerBatc
                            words != NULL ? words : otherwise);
 }
 
-double tinker_block_batch_inside(const TinkerBlockBatch *batch, double t)
-{
-    return t < batch->earliest ? batch->earliest : t > batch->latest ? batch->latest : t;
-}
-
 TinkerBatch tinker_block_batch_view(TinkerBlockBatch *batch, double t)
 {
     return (TinkerBatch){

@@ -54,7 +54,10 @@ GPtrArray *tinker_batches_take(const GPtrArray *batches, const int32_t *numbers,
 int32_t tinker_batches_most_rows(const GPtrArray *batches);
 
 /* The time that typed laws are given at t: an end of a piece lies within it, by some ulp. */
-double tinker_block_batch_inside(const TinkerBlockBatch *batch, double t);
+static inline double tinker_block_batch_inside(const TinkerBlockBatch *batch, double t)
+{
+    return t < batch->earliest ? batch->earliest : t > batch->latest ? batch->latest : t;
+}
 
 /* The view of a whole batch that plugins get, at time t. */
 TinkerBatch tinker_block_batch_view(TinkerBlockBatch *batch, double t);

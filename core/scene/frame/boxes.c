@@ -187,12 +187,11 @@ char *tinker_boxes_warning(const TinkerFrame *frame, double duration, TinkerMeet
     if (meeting->time > 0)
         return g_strdup_printf(
             _("%s and %s meet at %.4g s, moved on with their start velocities: they pass through each "
-              "other, as contact between bodies is not modelled"),
+              "other, as not both of them have \"collides\" on"),
             first, second, meeting->time);
-    return g_strdup_printf(
-        _("%s and %s overlap at the start: they pass through each other, as contact between bodies is "
-          "not modelled"),
-        first, second);
+    return g_strdup_printf(_("%s and %s overlap at the start: they pass through each other, as not both of them have "
+                             "\"collides\" on"),
+                           first, second);
 }
 
 void tinker_boxes_tell(TinkerScene *scene, double duration, GPtrArray *warnings)

@@ -12,6 +12,7 @@
 #define GENTLE 4.0
 #define RATIO  8.0
 #define ENDED  20.0 /* tanh is +-1 beyond it */
+#define POINT  (8 * DBL_EPSILON)
 #define TWO_PI 6.28318530717958647692
 
 /* Short names for what every line here does. */
@@ -41,6 +42,8 @@ static TinkerInterval cells_of(TinkerInterval x, double period, gboolean *gentle
         *gentle = FALSE;
         return period > 0 ? tinker_interval_entire() : (TinkerInterval){-1, 0};
     }
+    if (x.high - x.low <= POINT * fmax(fabs(x.low), fabs(x.high)) || x.high - x.low < DBL_MIN)
+        return tinker_interval_point(tinker_instruction_cell(&is, 0.5 * (x.low + x.high))); /* one number, enclosed */
     const TinkerInterval cells = {tinker_instruction_cell(&is, x.low), tinker_instruction_cell(&is, x.high)};
     *gentle = *gentle && cells.low == cells.high;
     return cells;
@@ -180,17 +183,39 @@ static TinkerInterval apply(const TinkerStep *at, const TinkerInterval *entry, g
     }
 }
 
-gboolean tinker_compiled_enclose(const TinkerCompiled *compiled, const TinkerInterval *arguments,
+/* What an entry is made of. */
+enum { OF_NUMBERS = 0, OF_DECIDED = 1, OF_OTHERS = 2 };
+
+/* The one cell of an argument that stays in it: what reaches beyond is rounding. */
+static TinkerInterval decided_cell(TinkerInterval x, double period)
+{
+    const TinkerInstruction is = {.operation = TINKER_OP_SWITCH, .number = period};
+    return tinker_interval_point(tinker_instruction_cell(&is, x.low + 0.5 * (x.high - x.low)));
+}
+
+gboolean tinker_compiled_enclose(const TinkerCompiled *compiled, const TinkerInterval *arguments, int decided,
                                  TinkerInterval *result)
 {
     TinkerInterval entry[TINKER_MOST_ENTRIES];
+    guint8 made_of[TINKER_MOST_ENTRIES];
     gboolean gentle = TRUE;
-    for (int i = 0; i < compiled->arguments; i++)
+    for (int i = 0; i < compiled->arguments; i++) {
         entry[i] = arguments[i];
-    for (int i = 0; i < compiled->numbers; i++)
+        made_of[i] = i == decided ? OF_DECIDED : OF_OTHERS;
+    }
+    for (int i = 0; i < compiled->numbers; i++) {
         entry[compiled->arguments + i] = tinker_interval_point(compiled->number[i]);
-    for (int i = 0; i < compiled->steps; i++)
-        entry[compiled->step[i].to] = apply(&compiled->step[i], entry, &gentle);
+        made_of[compiled->arguments + i] = OF_NUMBERS;
+    }
+    for (int i = 0; i < compiled->steps; i++) {
+        const TinkerStep *at = &compiled->step[i];
+        const gboolean is_cell = at->code / TINKER_LATEST_COUNT == TINKER_STEP_CELL;
+        const guint8 of = made_of[at->a] | made_of[at->b] | made_of[at->c] | made_of[at->d];
+        const gboolean known = is_cell && of == OF_DECIDED && isfinite(entry[at->a].low) && isfinite(entry[at->a].high);
+        entry[at->to] =
+            known ? decided_cell(entry[at->a], entry[at->b].low) : apply(&compiled->step[i], entry, &gentle);
+        made_of[at->to] = of;
+    }
     *result = entry[compiled->answer];
     return gentle && !tinker_interval_is_empty(*result);
 }

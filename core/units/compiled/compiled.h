@@ -39,8 +39,9 @@ void tinker_compiled_row(const TinkerCompiled *compiled, const double *const *ar
                          const double *numbers, int count, double *results);
 
 /* Encloses the values over a box of arguments, one interval each. TRUE: it is gentle there, so that a few places tell
- * its course. FALSE: something switches, or runs through much of its course, or is nowhere a number. */
-gboolean tinker_compiled_enclose(const TinkerCompiled *compiled, const TinkerInterval *arguments,
+ * its course. FALSE: something switches, or runs through much of its course, or is nowhere a number. What argument
+ * `decided` (-1: none) alone switches does not switch within the box: that is known otherwise. */
+gboolean tinker_compiled_enclose(const TinkerCompiled *compiled, const TinkerInterval *arguments, int decided,
                                  TinkerInterval *result);
 
 /* Whether it is made of sums, products and roots alone: gentle over any box. */

@@ -6,13 +6,14 @@
  * which enclosures decide:
  *     the range stays in one cell       nothing happens,
  *     the derivative has no zero        the cells at the two ends say all,
- *     the second derivative has none    the cells at the ends and at the extremum say all,
+ *     the second derivative has none    the cells at the ends and at the extremum say all, if it is in one,
  * and an interval that is not decided is halved, down to 4 ulp. Cells at single times count only where rounding cannot
  * have made them, so a function that touches a level, or is nothing but noise about it, gives no break.
  * The work is bounded: behind MOST_WORK instructions the rest of the horizon is looked at in SAMPLES places. */
 #include <math.h>
 
 #include "units/expression/expression-program.h"
+#include "units/expression/time-inside.h"
 
 #define BEYOND    64     /* ulp of the horizon: looked at as well, since a break at the horizon shows only behind it */
 #define MOST_WORK 500000 /* instructions enclosed in one search, some hundredths of a second */
@@ -79,11 +80,16 @@ static gboolean note(Walk *walk, double cell, double t, double *found)
     return FALSE;
 }
 
+static gboolean is_certain(Walk *walk, double t, double *cell)
+{
+    const TinkerRangeJet jet = enclose(walk, t, t);
+    return certain_cell(walk->instruction, jet.value, cell);
+}
+
 static gboolean visit(Walk *walk, double t, double *found)
 {
     double cell;
-    const TinkerRangeJet jet = enclose(walk, t, t);
-    return certain_cell(walk->instruction, jet.value, &cell) && note(walk, cell, t, found);
+    return is_certain(walk, t, &cell) && note(walk, cell, t, found);
 }
 
 /* Where the derivative changes its sign; it has one zero at most. */
@@ -117,7 +123,9 @@ static gboolean decide(Walk *walk, double low, double high, double *found)
         return TRUE;
     }
     if (tinker_interval_excludes_zero(jet.second)) {
-        if (!visit(walk, extremum(walk, low, high), found)) visit(walk, high, found);
+        const double at = extremum(walk, low, high);
+        if (!is_certain(walk, at, &cell)) return FALSE; /* it touches a level there, behind others that it crosses */
+        if (!note(walk, cell, at, found)) visit(walk, high, found);
         return TRUE;
     }
     return FALSE;
@@ -262,7 +270,7 @@ double tinker_program_next_break(TinkerProgramState *state, double t, double hor
             const double first = switch_break(state, code, affine, i, t, horizon, &work_left);
             if (first <= horizon) horizon = found = fmin(found, first);
         }
-        const double inside = isfinite(horizon) ? t + (horizon - t) / 2 : t + fmax(1, fabs(t));
+        const double inside = tinker_time_inside(t, isfinite(horizon) ? horizon : t + fmax(1, fabs(t)));
         const TinkerJet argument = tinker_program_evaluate(state, inside);
         state->cells[i] = tinker_instruction_decide(&code[i], &argument);
     }

@@ -13,6 +13,7 @@
 #include <tinker/integrator.h>
 
 #include "units/expression/expression-tree.h"
+#include "units/expression/time-inside.h"
 #include "units/expression/waveform-error.h"
 
 typedef enum {
