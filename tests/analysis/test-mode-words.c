@@ -195,7 +195,8 @@ static void test_left_out(void)
 {
     g_autofree char *touching = disc_at(0.3), *above = disc_at(20), *turning = arm_driven_at(5),
                     *standing = arm_driven_at(0);
-    assert_left_out(touching, "Disc 0 touches Floor, which is left out: it moves as if that were not there");
+    assert_left_out(touching, "Disc 0 touches Floor, which is left out: it rests and moves through it (a slot "
+                              "holds what slides, a rack what rolls)");
     assert_left_out(above, NULL);
     assert_left_out(turning, "Drive 0 is held still where it is at t = 0: its motion is left out");
     assert_left_out(standing, NULL);

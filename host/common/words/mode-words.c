@@ -137,8 +137,8 @@ GPtrArray *tinker_modes_left_out(const TinkerModeAnalysis *analysis, TinkerScene
             g_ptr_array_add(sentences,
                             g_strdup_printf(_("%s varies in time: its stiffness and damping count as at t = 0"), name));
         else
-            g_ptr_array_add(sentences, g_strdup_printf(_("%s touches %s, which is left out: it moves as if that were "
-                                                         "not there"),
+            g_ptr_array_add(sentences, g_strdup_printf(_("%s touches %s, which is left out: it rests and moves through "
+                                                         "it (a slot holds what slides, a rack what rolls)"),
                                                        name, tinker_scene_block_name(scene, out->other)));
     }
     return sentences;
