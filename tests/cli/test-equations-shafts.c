@@ -68,7 +68,6 @@ static void test_two_discs(CliFixture *fixture, gconstpointer data)
     cJSON_Delete(root);
 }
 
-/* Gears that gainsay one another leave nothing that turns, nor does a weld to what stands. */
 /* What turns freely on the whole has roots of 0, and none of rounding; where it is braked, one is not 0. */
 static void test_free(CliFixture *fixture, gconstpointer data)
 {
@@ -90,6 +89,7 @@ static void test_free(CliFixture *fixture, gconstpointer data)
     cJSON_Delete(root);
 }
 
+/* Gears that gainsay one another leave nothing that turns, nor does a weld to what stands. */
 static void test_without_form(CliFixture *fixture, gconstpointer data)
 {
     static const char *const scenes[] = {

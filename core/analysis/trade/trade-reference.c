@@ -131,19 +131,19 @@ typedef struct {
     gboolean unfinished; /* one of them could have been made finer */
 } Pair;
 
-/* What finer runs would still change, as far as the runs tell. */
+/* What finer runs would still change; INFINITY where one run alone does not tell. */
 static double left_of(const Candidate *candidate)
 {
-    return isfinite(candidate->change) ? candidate->change * candidate->left : 0;
+    return isfinite(candidate->change) ? candidate->change * candidate->left : INFINITY;
 }
 
 static Pair compare(const TinkerTradeBench *bench, const Candidate *a, const Candidate *b, double wanted)
 {
-    gboolean a_first = a->change <= b->change;
+    gboolean a_first = left_of(a) <= left_of(b);
     Pair pair = {a_first ? a : b, a_first ? b : a, 0, 0, a->unfinished || b->unfinished};
     const TinkerTrajectory *truth = &pair.truth->trajectory, *witness = &pair.witness->trajectory;
     pair.level = tinker_trade_bench_distance(bench, truth, witness, bench->time_count, truth->extent, truth->speed);
-    pair.level = fmax(pair.level, left_of(pair.truth));
+    if (isfinite(left_of(pair.truth))) pair.level = fmax(pair.level, left_of(pair.truth));
     gsize low = 0, high = bench->time_count; /* the distance over the first n samples never falls with n */
     while (low < high) {
         gsize middle = (low + high + 1) / 2;
@@ -225,7 +225,7 @@ static void judge(const TinkerTradeBench *bench, const Pair *pair, TinkerTradeRe
                      pair->agreed < LEAST_AGREED;
     *samples = whole ? bench->time_count : pair->agreed;
     double level = tinker_trade_bench_distance(bench, truth, witness, *samples, truth->extent, truth->speed);
-    if (*samples == bench->time_count) level = fmax(level, left_of(pair->truth));
+    if (*samples == bench->time_count && isfinite(left_of(pair->truth))) level = fmax(level, left_of(pair->truth));
     *reference = (TinkerTradeReference){
         .truth = pair->truth->setting,
         .witness = pair->witness->setting,

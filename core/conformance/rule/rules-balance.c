@@ -59,6 +59,7 @@ static gboolean is_zero(double value, double size)
 /* What a blow between ends gives one of them it takes from the others, as a force does. */
 static void try_blow(KitCheck *check, const GArray *functions)
 {
+    if (kit_function(functions, "blow") == NULL) return;
     g_autoptr(KitState) state = kit_state_new(check, KIT_COUNT);
     if (state == NULL) return;
     g_autoptr(KitAnswer) answer = kit_call_first_blow(check, functions, state);

@@ -99,6 +99,7 @@ static void compare_state(KitCheck *check, const KitFunction *function, const Ki
 static void try_blows(KitCheck *check, const GArray *functions)
 {
     const KitFunction *blow = kit_function(functions, "blow");
+    if (blow == NULL) return;
     const int32_t instant = check->block_class->meanings[TINKER_MEANING_INSTANT];
     g_autoptr(KitState) state = kit_state_new(check, KIT_COUNT);
     if (state == NULL) return;

@@ -20,11 +20,18 @@ TinkerBookBody *tinker_book_body(const TinkerBookKeeper *keeper, TinkerBlockId b
     return NULL;
 }
 
+/* Whether it is one of the bodies, and acts on others by touching them alone. */
+static gboolean touches_others(const TinkerBookKeeper *keeper, TinkerBlockId block)
+{
+    const TinkerPhysics *physics = tinker_scene_block_class(keeper->scene, block)->physics;
+    return tinker_book_body(keeper, block) != NULL && physics != NULL && physics->field == NULL;
+}
+
 /* Whether a block acts between the bodies alone: all that it is attached to is among them, or it is one of them, which
  * touches others. */
 static gboolean is_inner(const TinkerBookKeeper *keeper, TinkerBlockId block)
 {
-    if (tinker_book_body(keeper, block) != NULL) return TRUE;
+    if (touches_others(keeper, block)) return TRUE;
     const int32_t ends = tinker_scene_end_count(keeper->scene, block);
     for (int32_t i = 0; i < ends; i++)
         if (tinker_book_body(keeper, tinker_scene_end(keeper->scene, block, i).block) == NULL) return FALSE;
@@ -150,9 +157,9 @@ void tinker_book_conclude(TinkerBookKeeper *keeper)
         const TinkerBlockId block = tinker_scene_block_at(keeper->scene, i);
         TinkerBookAccount *account = &g_array_index(keeper->accounts, TinkerBookAccount, block);
         if (account->entry.by != block) continue;
-        const gboolean touches =
-            tinker_book_body(keeper, block) != NULL; /* what it gives it takes by another account */
-        if (!touches && fabs(account->entry.all.angular) > CANCELS * account->angular) account->entry.inner = FALSE;
+        /* what one that touches gives it takes by the account of the other */
+        if (!touches_others(keeper, block) && fabs(account->entry.all.angular) > CANCELS * account->angular)
+            account->entry.inner = FALSE;
         g_array_append_val(books->entries, account->entry);
         sums[0] += account->work;
         sums[1] += account->impulse;

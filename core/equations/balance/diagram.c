@@ -16,7 +16,8 @@ static gboolean is_listed(const TinkerBlockId *blocks, TinkerBlockId block)
  * others. */
 static gboolean is_inner(TinkerScene *scene, const TinkerBlockId *blocks, TinkerBlockId by)
 {
-    if (is_listed(blocks, by)) return TRUE;
+    const TinkerPhysics *physics = tinker_scene_block_class(scene, by)->physics;
+    if (is_listed(blocks, by) && physics != NULL && physics->field == NULL) return TRUE;
     const int32_t ends = tinker_scene_end_count(scene, by);
     for (int32_t i = 0; i < ends; i++)
         if (!is_listed(blocks, tinker_scene_end(scene, by, i).block)) return FALSE;

@@ -14,7 +14,8 @@
 #define NO_ROOT   1e-12 /* of the largest root: what is less is 0 */
 #define NO_SQUARE 8     /* roundings of the largest square of a frequency, times the coordinates: what is less is 0 */
 #define COUPLED   1e-12 /* of the damping of two modes: what couples them by less does not */
-#define ROUNDING  1e-15 /* of the greatest damping */
+#define UNLIKE    1e-14 /* of the largest entry: what differs across the diagonal by less is symmetric */
+#define ROUNDING  1e-15 /* of the greater damping of two modes: likewise */
 
 typedef struct {
     double re, im;
@@ -227,9 +228,12 @@ static gboolean is_damped(const TinkerMatrixIsland *island)
 
 static gboolean is_symmetric(const double *k, guint n)
 {
+    double largest = 0;
+    for (guint i = 0; i < n * n; i++)
+        largest = fmax(largest, fabs(k[i]));
     for (guint i = 0; i < n; i++)
         for (guint j = 0; j < i; j++)
-            if (k[i * n + j] != k[j * n + i]) return FALSE;
+            if (fabs(k[i * n + j] - k[j * n + i]) > UNLIKE * largest) return FALSE;
     return TRUE;
 }
 

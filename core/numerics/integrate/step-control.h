@@ -23,7 +23,8 @@ typedef struct TinkerStepControl {
     double h;            /* the step to try next, s; 0: not known yet */
     double last_error;   /* of the last accepted step */
     double usual;        /* s: how long steps were lately, however short they are now; 0: not known */
-    double usual_before; /* s: how long steps were lately, kept by tinker_step_control_forget */
+    double usual_before; /* s: how long steps were lately, kept by tinker_step_control_forget; of what is at rest,
+                            before the first, how long they may be */
 } TinkerStepControl;
 
 /* What an error in q and one in v are divided by. */

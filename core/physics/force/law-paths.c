@@ -2,12 +2,8 @@
 #include "physics/force/law-paths.h"
 #include "physics/model/points.h"
 
-#include <float.h>
 #include <math.h>
 #include <string.h>
-
-/* Of a time, that a law is looked at within. */
-#define ROUNDINGS 8
 
 /* Listing ---------------------------------------------------------------------------------------------------------- */
 
@@ -211,11 +207,12 @@ static TinkerInterval argument_of(const TinkerLawForce *law, TinkerLawArgument a
     }
 }
 
-/* s: at a share of the step. The two ends, which may be breaks, are within it by some roundings. */
+/* s: at a share of the step. The two ends, which may be breaks, are taken a little within it. */
 static double time_at(const TinkerLawStep *step, double share)
 {
-    const double first = step->from + ROUNDINGS * DBL_EPSILON * fabs(step->from);
-    const double last = step->to - ROUNDINGS * DBL_EPSILON * fabs(step->to);
+    const double length = step->to - step->from;
+    const double first = step->from + tinker_time_beside(step->from, length);
+    const double last = step->to - tinker_time_beside(step->to, length);
     const double t = step->from + share * (step->to - step->from);
     return first < last ? CLAMP(t, first, last) : t;
 }
@@ -233,7 +230,7 @@ gboolean tinker_law_enclose(const TinkerLawForce *law, const TinkerLawStep *step
     int by_time = -1; /* breaks, which no step crosses */
     for (int i = 0; i < law->count; i++) {
         arguments[i] = argument_of(law, law->arguments[i], &between, time);
-        if (law->arguments[i] == TINKER_LAW_T) by_time = i;
+        if (step->in_piece && law->arguments[i] == TINKER_LAW_T) by_time = i;
     }
     return tinker_compiled_enclose(law->force, arguments, by_time, force);
 }

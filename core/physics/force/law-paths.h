@@ -44,6 +44,7 @@ typedef struct {
     double from, to; /* s */
     const TinkerPoint *first, *last;
     const double *origin;
+    gboolean in_piece; /* t alone switches nothing within it */
 } TinkerLawStep;
 
 /* The force within a part of a step, from `low` to `high` (0 to 1); TRUE where it is gentle there. */

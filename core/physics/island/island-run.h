@@ -41,8 +41,7 @@ typedef struct {
     TinkerTimeGrid step_grid;
     gint64 next_step; /* on the step grid, of a method that is not adaptive */
     gboolean is_companion;
-    double
-        half; /* s: of a companion with fixed steps: one that is cut short is made in two, and the second ends here */
+    double half; /* s: where the second half of a step ends that a companion makes in two; not behind t: none */
     double
         latest; /* s: of an adaptive method no step goes beyond it, unless it is behind; INFINITY but in a companion */
     double piece_from;      /* the current piece begins here, with a break; -INFINITY: with none */

@@ -165,8 +165,8 @@ static TinkerPoint *points_of(const TinkerLawWatch *self, int end)
 
 static TinkerLawStep step_of(const TinkerLawWatch *self, int from, int to)
 {
-    return (TinkerLawStep){self->times[from], self->times[to], points_of(self, from), points_of(self, to),
-                           self->model->origin};
+    return (TinkerLawStep){self->times[from],   self->times[to],     points_of(self, from),
+                           points_of(self, to), self->model->origin, to - from == 1};
 }
 
 /* Looks at the steps of a group, which is then over. */

@@ -110,11 +110,13 @@ gboolean tinker_model_check_breaks(TinkerModel *model, double duration, GError *
     return TRUE;
 }
 
-void tinker_model_enter_piece(TinkerModel *model, double inside)
+void tinker_model_enter_piece(TinkerModel *model, double from, double inside, double to)
 {
     for (guint i = 0; i < model->batches->len; i++) {
         TinkerBlockBatch *batch = g_ptr_array_index(model->batches, i);
-        if (batch->evaluator_count > 0) tinker_block_batch_enter_piece(batch, inside);
+        if (batch->evaluator_count == 0) continue;
+        tinker_block_batch_enter_piece(batch, inside);
+        tinker_block_batch_bound_laws(batch, from, to);
     }
     model->time = NAN; /* what was evaluated belongs to the piece before */
 }

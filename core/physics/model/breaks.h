@@ -27,8 +27,8 @@ gboolean tinker_model_check_breaks(TinkerModel *model, double duration, GError *
 
 /* The next time after t, not after the horizon, at which a derivative of anything jumps; INFINITY for none. */
 double tinker_model_next_break(TinkerModel *model, double t, double horizon);
-/* Enters the piece of all waveforms that contains `inside`. */
-void tinker_model_enter_piece(TinkerModel *model, double inside);
+/* Enters the piece from `from` to `to` (infinite: without end), which contains `inside`. */
+void tinker_model_enter_piece(TinkerModel *model, double from, double inside, double to);
 
 /* Whether some block gives blows, at whatever time: these may come from anywhere. */
 gboolean tinker_model_is_struck(const TinkerModel *model);

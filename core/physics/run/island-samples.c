@@ -131,7 +131,7 @@ static void enter_piece_at(TinkerIslandRuns *self, double t)
     double horizon = MAX(self->times.duration, t + 1.0);
     double next = tinker_model_next_break(self->model, t, horizon);
     self->piece_end = MIN(next, horizon);
-    tinker_model_enter_piece(self->model, tinker_time_inside(t, self->piece_end));
+    tinker_model_enter_piece(self->model, t, tinker_time_inside(t, self->piece_end), self->piece_end);
 }
 
 /* The whole model enters the piece that ends at t or holds it, where none of its islands is the whole. */

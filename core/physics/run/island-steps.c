@@ -32,8 +32,8 @@
 #include "plugin/call/words.h"
 
 /* A run that needs more steps than this of the size that it takes would not end in a lifetime: it is given up once so
- * many have been that small, one after the other, and none was twice as long as those before. A stiff start has a few
- * of them, and steps from rest on may grow slowly. */
+ * many have been that small, one after the other, and none was twice as long as the first of them. A stiff start has a
+ * few of them, and steps from rest on may grow slowly. */
 #define MOST_STEPS_TO_COME 1e12
 #define MOST_TINY_STEPS    10000
 
@@ -102,7 +102,7 @@ void tinker_island_run_free(TinkerIslandRun *run)
 /* Between breaks that are nearer to one another than its steps the run has what they leave for a step, and a companion
  * the same: half of it tells what that is off by. Of a companion's step to `next` the end of its first half, or of the
  * second. */
-static double cut_in_two(TinkerIslandRun *run, double next, double slack)
+static G_NO_INLINE double cut_in_two(TinkerIslandRun *run, double next, double slack)
 {
     const double t = run->state.t, middle = t + 0.5 * (next - t);
     if (run->half > t && run->half <= next) return run->half;
@@ -210,7 +210,7 @@ static gboolean fail_at_pole(TinkerIslandRun *run, GError **error)
 }
 
 /* Of a step that its method gave up: why, as the model says it, or else the method. */
-static gboolean fail_step(TinkerIslandRun *run, const TinkerStepReport *report, GError **error)
+static G_NO_INLINE gboolean fail_step(TinkerIslandRun *run, const TinkerStepReport *report, GError **error)
 {
     TinkerModel *model = run->model;
     /* methods are built in or plugins, and do not translate */
@@ -260,7 +260,7 @@ static gboolean pass_break(TinkerIslandRun *run, double end, GError **error)
         return FALSE;
     }
     g_error_free(refused);
-    tinker_model_enter_piece(run->model, run->state.t * (1 - TINKER_SAME_INSTANT));
+    tinker_model_enter_piece(run->model, -INFINITY, run->state.t * (1 - TINKER_SAME_INSTANT), run->state.t);
     run->piece_end = run->state.t;
     run->ends_on_break = TRUE;
     return TRUE;

@@ -147,14 +147,15 @@ static Sides look_behind(TinkerIslandRun *run, const Before *before, GError **er
     return sides;
 }
 
-/* Puts the model into the piece that `inside` lies in, unless what jumps on the way there is refused. */
-static gboolean cross_break(TinkerIslandRun *run, double inside, gboolean *jumps, GError **error)
+/* Puts the model into the piece that begins here and ends at `end`, unless what jumps on the way there is refused. */
+static gboolean cross_break(TinkerIslandRun *run, double end, gboolean *jumps, GError **error)
 {
     TinkerModel *model = run->model;
     const double t = run->state.t;
     g_auto(Before) before = {0};
     if (t > 0 && !look_before(run, &before)) return tinker_island_run_fail(run, model->failure, error);
-    tinker_model_enter_piece(model, inside);
+    const double to = end > t ? end : INFINITY;
+    tinker_model_enter_piece(model, t, tinker_time_inside(t, to), to);
     if (tinker_model_set_time(model, t) != TINKER_OK) return tinker_island_run_fail(run, model->failure, error);
     if (!(t > 0)) return TRUE;
     const Sides sides = look_behind(run, &before, error);
@@ -174,7 +175,7 @@ gboolean tinker_island_run_enter_piece(TinkerIslandRun *run, double horizon, gbo
     TinkerBlockId pole_block = run->pole_block;
     const double pole = tinker_model_next_pole(model, &pole_block);
     if (jumps != NULL) *jumps = FALSE;
-    if (!cross_break(run, tinker_time_inside(t, end > t ? end : INFINITY), jumps, error)) return FALSE;
+    if (!cross_break(run, end, jumps, error)) return FALSE;
     run->ends_on_break = isfinite(next);
     run->piece_from = on_break ? t : -INFINITY;
     run->piece_end = end;

@@ -3,20 +3,13 @@
  * themselves, so that in every piece they are given times within it. */
 #include <math.h>
 
-#include <float.h>
-
 #include "scene/frame/batch-waveforms.h"
 #include "units/waveform/waveform-pole.h"
-
-/* A law that is worked out nearer to a break than this many roundings of t may be that of the other side. */
-#define ROUNDINGS 8
-#define AT_ORIGIN 1e-18 /* s */
 
 /* No break of a waveform lies between `from` and `next`, and none up to `horizon` where next is infinite; the first
  * pole there, INFINITY for none. */
 struct _TinkerPiece {
     double from, next, horizon, pole;
-    double begin;     /* the break that it begins at, as far as is known; -INFINITY for none */
     gboolean entered; /* the evaluator's switches are those of this piece */
 };
 
@@ -41,7 +34,7 @@ static void add_evaluator(TinkerBlockBatch *batch, int32_t row, TinkerWaveformEv
     const int32_t next = batch->evaluator_count++;
     batch->evaluators[next] = evaluator;
     batch->evaluator_rows[next] = row;
-    batch->pieces[next] = (struct _TinkerPiece){NAN, NAN, NAN, INFINITY, -INFINITY, FALSE};
+    batch->pieces[next] = (struct _TinkerPiece){NAN, NAN, NAN, INFINITY, FALSE};
 }
 
 static void make_room(TinkerBlockBatch *batch, int32_t evaluators)
@@ -127,25 +120,12 @@ void tinker_block_batch_set_steady(TinkerBlockBatch *batch)
     }
 }
 
-/* s: so many roundings of t, or at the origin of time next to nothing. */
-static double beside(double t)
+void tinker_block_batch_bound_laws(TinkerBlockBatch *batch, double from, double to)
 {
-    return fmax(ROUNDINGS * DBL_EPSILON * fabs(t), AT_ORIGIN);
-}
-
-/* Within the pieces of all laws that contain `inside`. */
-static void find_inside(TinkerBlockBatch *batch, double inside)
-{
-    double begin = -INFINITY, end = INFINITY;
-    for (int32_t i = waveform_evaluators(batch); i < batch->evaluator_count; i++) {
-        const struct _TinkerPiece *piece = &batch->pieces[i];
-        if (piece->begin < inside) begin = fmax(begin, piece->next <= inside ? piece->next : piece->begin);
-        if (piece->next > inside) end = fmin(end, piece->begin >= inside ? piece->begin : piece->next);
-    }
-    const double earliest = isfinite(begin) ? begin + beside(begin) : begin;
-    const double latest = isfinite(end) ? end - beside(end) : end;
-    batch->earliest = fmin(earliest, inside);
-    batch->latest = fmax(latest, inside);
+    if (batch->evaluator_count == waveform_evaluators(batch)) return;
+    batch->earliest = isfinite(from) ? from + tinker_time_beside(from, to - from) : from;
+    batch->latest = isfinite(to) ? to - tinker_time_beside(to, to - from) : to;
+    if (batch->earliest > batch->latest) batch->earliest = batch->latest = from + 0.5 * (to - from);
 }
 
 void tinker_block_batch_enter_piece(TinkerBlockBatch *batch, double inside)
@@ -156,25 +136,16 @@ void tinker_block_batch_enter_piece(TinkerBlockBatch *batch, double inside)
         piece->entered = TRUE;
         tinker_waveform_enter_piece(batch->evaluators[i], inside);
     }
-    if (batch->evaluator_count > waveform_evaluators(batch)) find_inside(batch, inside);
-}
-
-/* What was known before a search from t says where the piece of t began. */
-static double begin_of(const struct _TinkerPiece *before, double t)
-{
-    if (isnan(before->from)) return t; /* all begins here */
-    if (t >= before->next) return before->next;
-    return t >= before->begin ? before->begin : -INFINITY;
 }
 
 static void search_from(TinkerBlockBatch *batch, int32_t i, double t, double horizon)
 {
     const TinkerWaveformEvaluator *evaluator = batch->evaluators[i];
-    const double next = tinker_waveform_next_break(evaluator, t, horizon), begin = begin_of(&batch->pieces[i], t);
+    const double next = tinker_waveform_next_break(evaluator, t, horizon);
     /* a part of a law may have a pole where the law has none */
     const double pole =
         i < waveform_evaluators(batch) ? tinker_waveform_next_pole(evaluator, t, fmin(next, horizon)) : INFINITY;
-    batch->pieces[i] = (struct _TinkerPiece){t, next, horizon, pole, begin, FALSE};
+    batch->pieces[i] = (struct _TinkerPiece){t, next, horizon, pole, FALSE};
 }
 
 double tinker_block_batch_next_break(TinkerBlockBatch *batch, double t, double horizon)
@@ -193,6 +164,7 @@ void tinker_block_batch_enter_behind(TinkerBlockBatch *batch, double t)
 {
     const double next = tinker_block_batch_next_break(batch, t, t + 1.0);
     tinker_block_batch_enter_piece(batch, tinker_time_inside(t, next));
+    tinker_block_batch_bound_laws(batch, t, next);
 }
 
 int32_t tinker_block_batch_break_row(const TinkerBlockBatch *batch)

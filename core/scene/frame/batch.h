@@ -29,7 +29,7 @@ struct _TinkerBlockBatch {
     int32_t *evaluator_rows;              /* whose they are */
     int32_t *waveform_columns;            /* first column of each waveform property */
     struct _TinkerPiece *pieces;          /* of each evaluator, what is known of its next break */
-    double earliest, latest;              /* s: within the piece of what is switched in laws; infinite: in any */
+    double earliest, latest;              /* s: of times that laws are given, see tinker_block_batch_bound_laws */
     void *scratch;                        /* as the class's physics asked for; see guarded.h */
     double *end_masses;                   /* kg: see TinkerBatch; NULL: not known */
     gboolean has_timed_law, has_law_of_velocity; /* of any block */
@@ -95,6 +95,10 @@ const TinkerWaveformEvaluator *tinker_block_batch_evaluator(const TinkerBlockBat
 
 /* Enters the piece of every waveform, and of what t alone switches in laws, that contains `inside`. */
 void tinker_block_batch_enter_piece(TinkerBlockBatch *batch, double inside);
+
+/* Between these times, the ends of a piece, nothing switches: laws in which t switches something alone are given times
+ * a little within them. Infinite: there is no end. */
+void tinker_block_batch_bound_laws(TinkerBlockBatch *batch, double from, double to);
 
 /* The first break after t, of waveforms and of what t alone switches in laws, not after the horizon; INFINITY for none.
  * What is found is remembered, so that only those whose break has passed are asked again. */

@@ -143,10 +143,9 @@ gboolean tinker_frame_set_time(TinkerFrame *frame, double t, GError **error)
     frame->time = t;
     for (guint i = 0; i < frame->batches->len; i++) {
         TinkerBlockBatch *batch = g_ptr_array_index(frame->batches, i);
-        if (batch->waveforms == 0) continue;
         /* A frame shows what holds from t on. */
-        tinker_block_batch_enter_behind(batch, t);
-        tinker_block_batch_set_time(batch, t);
+        if (batch->evaluator_count > 0) tinker_block_batch_enter_behind(batch, t);
+        if (batch->waveforms > 0) tinker_block_batch_set_time(batch, t);
     }
     return move_supports(frame, error);
 }

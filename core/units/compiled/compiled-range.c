@@ -34,7 +34,7 @@ static double ratio_of(TinkerInterval x)
     return x.low > 0 ? x.high / x.low : x.low / x.high;
 }
 
-/* The cell of both ends; where they differ it switches within. */
+/* The cell of both ends; where they differ it switches within. What is no wider than its rounding is one number. */
 static TinkerInterval cells_of(TinkerInterval x, double period, gboolean *gentle)
 {
     const TinkerInstruction is = {.operation = TINKER_OP_SWITCH, .number = period};
@@ -43,7 +43,7 @@ static TinkerInterval cells_of(TinkerInterval x, double period, gboolean *gentle
         return period > 0 ? tinker_interval_entire() : (TinkerInterval){-1, 0};
     }
     if (x.high - x.low <= POINT * fmax(fabs(x.low), fabs(x.high)) || x.high - x.low < DBL_MIN)
-        return tinker_interval_point(tinker_instruction_cell(&is, 0.5 * (x.low + x.high))); /* one number, enclosed */
+        return tinker_interval_point(tinker_instruction_cell(&is, 0.5 * (x.low + x.high)));
     const TinkerInterval cells = {tinker_instruction_cell(&is, x.low), tinker_instruction_cell(&is, x.high)};
     *gentle = *gentle && cells.low == cells.high;
     return cells;
@@ -186,35 +186,45 @@ static TinkerInterval apply(const TinkerStep *at, const TinkerInterval *entry, g
 /* What an entry is made of. */
 enum { OF_NUMBERS = 0, OF_DECIDED = 1, OF_OTHERS = 2 };
 
-/* The one cell of an argument that stays in it: what reaches beyond is rounding. */
-static TinkerInterval decided_cell(TinkerInterval x, double period)
+/* What an argument alone decides, worked out at one place of its interval. */
+typedef struct {
+    TinkerInterval at[TINKER_MOST_ENTRIES];
+    guint8 made_of[TINKER_MOST_ENTRIES];
+} Decided;
+
+static void decide(Decided *decided, const TinkerStep *at)
 {
-    const TinkerInstruction is = {.operation = TINKER_OP_SWITCH, .number = period};
-    return tinker_interval_point(tinker_instruction_cell(&is, x.low + 0.5 * (x.high - x.low)));
+    gboolean gentle = TRUE;
+    decided->made_of[at->to] =
+        decided->made_of[at->a] | decided->made_of[at->b] | decided->made_of[at->c] | decided->made_of[at->d];
+    if ((decided->made_of[at->to] & OF_OTHERS) == 0) decided->at[at->to] = apply(at, decided->at, &gentle);
 }
 
-gboolean tinker_compiled_enclose(const TinkerCompiled *compiled, const TinkerInterval *arguments, int decided,
+static gboolean is_decided(const Decided *decided, const TinkerStep *at)
+{
+    return at->code / TINKER_LATEST_COUNT == TINKER_STEP_CELL && decided->made_of[at->to] == OF_DECIDED;
+}
+
+gboolean tinker_compiled_enclose(const TinkerCompiled *compiled, const TinkerInterval *arguments, int decided_by,
                                  TinkerInterval *result)
 {
     TinkerInterval entry[TINKER_MOST_ENTRIES];
-    guint8 made_of[TINKER_MOST_ENTRIES];
+    Decided decided;
     gboolean gentle = TRUE;
     for (int i = 0; i < compiled->arguments; i++) {
         entry[i] = arguments[i];
-        made_of[i] = i == decided ? OF_DECIDED : OF_OTHERS;
+        decided.made_of[i] = i == decided_by ? OF_DECIDED : OF_OTHERS;
+        decided.at[i] = tinker_interval_point(arguments[i].low + 0.5 * (arguments[i].high - arguments[i].low));
     }
-    for (int i = 0; i < compiled->numbers; i++) {
-        entry[compiled->arguments + i] = tinker_interval_point(compiled->number[i]);
-        made_of[compiled->arguments + i] = OF_NUMBERS;
+    for (int i = 0, at = compiled->arguments; i < compiled->numbers; i++, at++) {
+        entry[at] = decided.at[at] = tinker_interval_point(compiled->number[i]);
+        decided.made_of[at] = OF_NUMBERS;
     }
     for (int i = 0; i < compiled->steps; i++) {
         const TinkerStep *at = &compiled->step[i];
-        const gboolean is_cell = at->code / TINKER_LATEST_COUNT == TINKER_STEP_CELL;
-        const guint8 of = made_of[at->a] | made_of[at->b] | made_of[at->c] | made_of[at->d];
-        const gboolean known = is_cell && of == OF_DECIDED && isfinite(entry[at->a].low) && isfinite(entry[at->a].high);
-        entry[at->to] =
-            known ? decided_cell(entry[at->a], entry[at->b].low) : apply(&compiled->step[i], entry, &gentle);
-        made_of[at->to] = of;
+        if (decided_by >= 0) decide(&decided, at);
+        const gboolean known = decided_by >= 0 && is_decided(&decided, at);
+        entry[at->to] = known ? decided.at[at->to] : apply(at, entry, &gentle);
     }
     *result = entry[compiled->answer];
     return gentle && !tinker_interval_is_empty(*result);

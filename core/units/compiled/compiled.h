@@ -40,8 +40,9 @@ void tinker_compiled_row(const TinkerCompiled *compiled, const double *const *ar
 
 /* Encloses the values over a box of arguments, one interval each. TRUE: it is gentle there, so that a few places tell
  * its course. FALSE: something switches, or runs through much of its course, or is nowhere a number. What argument
- * `decided` (-1: none) alone switches does not switch within the box: that is known otherwise. */
-gboolean tinker_compiled_enclose(const TinkerCompiled *compiled, const TinkerInterval *arguments, int decided,
+ * `decided_by` (-1: none) alone switches does not switch within the box: that is known otherwise. Numbers that are as
+ * near to a switch as their own rounding are on one side of it. */
+gboolean tinker_compiled_enclose(const TinkerCompiled *compiled, const TinkerInterval *arguments, int decided_by,
                                  TinkerInterval *result);
 
 /* Whether it is made of sums, products and roots alone: gentle over any box. */

@@ -107,6 +107,20 @@ static double extremum(const Walk *walk, double low, double high)
     }
 }
 
+/* About an extremum that touches a level: the cells on both sides of it, as near to it as they are certain, and at the
+ * end. */
+static void visit_around(Walk *walk, double low, double at, double high, double *found)
+{
+    for (int side = -1; side <= 1; side += 2) {
+        const double room = side < 0 ? at - low : high - at;
+        double offset = tinker_ulps(fmax(fabs(at), room), TINKER_MERGED), cell = UNDEFINED;
+        while (offset < room && !is_certain(walk, at + side * offset, &cell))
+            offset *= 2;
+        if (offset < room && note(walk, cell, at + side * offset, found)) return;
+    }
+    visit(walk, high, found);
+}
+
 /* Looks at [low, high]; FALSE where it has to be halved. *found is set where there is a break. */
 static gboolean decide(Walk *walk, double low, double high, double *found)
 {
@@ -124,8 +138,10 @@ static gboolean decide(Walk *walk, double low, double high, double *found)
     }
     if (tinker_interval_excludes_zero(jet.second)) {
         const double at = extremum(walk, low, high);
-        if (!is_certain(walk, at, &cell)) return FALSE; /* it touches a level there, behind others that it crosses */
-        if (!note(walk, cell, at, found)) visit(walk, high, found);
+        if (!is_certain(walk, at, &cell))
+            visit_around(walk, low, at, high, found);
+        else if (!note(walk, cell, at, found))
+            visit(walk, high, found);
         return TRUE;
     }
     return FALSE;
