@@ -224,8 +224,9 @@ static void judge(const TinkerTradeBench *bench, const Pair *pair, TinkerTradeRe
     gboolean whole = pair->agreed == bench->time_count || (pair->unfinished && pair->level <= COARSE_LEVEL) ||
                      pair->agreed < LEAST_AGREED;
     *samples = whole ? bench->time_count : pair->agreed;
-    double level = tinker_trade_bench_distance(bench, truth, witness, *samples, truth->extent, truth->speed);
-    if (*samples == bench->time_count && isfinite(left_of(pair->truth))) level = fmax(level, left_of(pair->truth));
+    const double level = *samples == bench->time_count ? pair->level
+                                                       : tinker_trade_bench_distance(bench, truth, witness, *samples,
+                                                                                     truth->extent, truth->speed);
     *reference = (TinkerTradeReference){
         .truth = pair->truth->setting,
         .witness = pair->witness->setting,

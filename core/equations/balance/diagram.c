@@ -12,12 +12,17 @@ static gboolean is_listed(const TinkerBlockId *blocks, TinkerBlockId block)
     return FALSE;
 }
 
-/* Whether a block acts between the blocks alone: all that it acts on is among them, or it is one of them, which touches
- * others. */
-static gboolean is_inner(TinkerScene *scene, const TinkerBlockId *blocks, TinkerBlockId by)
+/* What bodies give each other where they touch: `by` is the other one. */
+static gboolean is_contact(const TinkerActingForce *acting)
 {
-    const TinkerPhysics *physics = tinker_scene_block_class(scene, by)->physics;
-    if (is_listed(blocks, by) && physics != NULL && physics->field == NULL) return TRUE;
+    return acting->kind == TINKER_ACTING_NORMAL || acting->kind == TINKER_ACTING_FRICTION;
+}
+
+/* Whether a force acts between the blocks alone: all that its block acts on is among them, or what it touches is. */
+static gboolean is_inner(TinkerScene *scene, const TinkerBlockId *blocks, const TinkerActingForce *acting)
+{
+    const TinkerBlockId by = acting->by;
+    if (is_contact(acting)) return is_listed(blocks, by);
     const int32_t ends = tinker_scene_end_count(scene, by);
     for (int32_t i = 0; i < ends; i++)
         if (!is_listed(blocks, tinker_scene_end(scene, by, i).block)) return FALSE;
@@ -49,7 +54,7 @@ static gboolean is_rope(TinkerScene *scene, TinkerBlockId by)
 static void find_partners(TinkerScene *scene, const TinkerActingForce *acting, TinkerBlockId partners[2])
 {
     partners[0] = partners[1] = -1;
-    if (acting->kind == TINKER_ACTING_NORMAL || acting->kind == TINKER_ACTING_FRICTION) {
+    if (is_contact(acting)) {
         partners[0] = acting->by;
         return;
     }
@@ -77,7 +82,7 @@ static void add_forces(TinkerDiagram *diagram, TinkerScene *scene, const TinkerM
     for (guint i = 0; i < state->forces->len; i++) {
         const TinkerActingForce *acting = &g_array_index(state->forces, TinkerActingForce, i);
         if (!is_listed(blocks, acting->on)) continue;
-        if (is_inner(scene, blocks, acting->by)) {
+        if (is_inner(scene, blocks, acting)) {
             add_cancelled(diagram, acting->by);
             continue;
         }

@@ -50,6 +50,14 @@ static void keep_pair(TinkerMatrixIsland *island, guint number, Root one, Root o
     }
 }
 
+/* The first real root from `from` on that is not taken; `count`: none. */
+static guint next_real(const Root *roots, const gboolean *taken, guint count, guint from)
+{
+    while (from < count && (taken[from] || roots[from].im != 0))
+        from++;
+    return from;
+}
+
 /* Complex roots pair with their conjugates; of what no spring brings back, `rigid` coordinates, a root of 0 with the
  * other one, which is 0 as well unless it is braked; other real ones with the next in size. */
 static void keep_roots(TinkerMatrixIsland *island, Root *roots, guint count, guint rigid)
@@ -65,13 +73,10 @@ static void keep_roots(TinkerMatrixIsland *island, Root *roots, guint count, gui
         if (taken[i] || roots[i].im < 0) continue; /* with its conjugate */
         guint other = i;
         if (roots[i].im == 0) {
-            other = i + 1;
-            if (i >= zeros || alike < 2) /* one that is not 0 */
-                while (other < count && (other < zeros || taken[other] || roots[other].im != 0))
-                    other++;
-            else
-                alike -= 2;
-            if (other >= count) continue;
+            const gboolean both_are_zero = i < zeros && alike >= 2;
+            if (both_are_zero) alike -= 2;
+            other = next_real(roots, taken, count, both_are_zero ? i + 1 : MAX(i + 1, zeros));
+            if (other == count) continue;
         }
         taken[i] = taken[other] = TRUE;
         keep_pair(island, number++, roots[i], roots[other], least);

@@ -213,7 +213,7 @@ static double time_at(const TinkerLawStep *step, double share)
     const double length = step->to - step->from;
     const double first = step->from + tinker_time_beside(step->from, length);
     const double last = step->to - tinker_time_beside(step->to, length);
-    const double t = step->from + share * (step->to - step->from);
+    const double t = step->from + share * length;
     return first < last ? CLAMP(t, first, last) : t;
 }
 
