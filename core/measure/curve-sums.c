@@ -4,7 +4,8 @@
 
 #include "measure/statistics-private.h"
 
-/* Of the whole range: smaller ways between two extrema are ripple of rounding. */
+/* Of the whole range: smaller ways between two extrema are ripple of rounding, and a piece that changes by less is
+ * level. */
 #define RIPPLE 1e-9
 /* Of what the curve may be off by: smaller ways at both ends, as of a swing that has died away, tell nothing. */
 #define CERTAIN 10.0
@@ -14,7 +15,10 @@
 
 typedef struct {
     TinkerCurveSums *sums;
-    double slope;     /* dy/dt at the end of the piece before; NAN: there is none */
+    double slope;     /* dy/dt at the end of the last piece that is not level; NAN: there is none */
+    double level;     /* y: pieces that change by less are level */
+    double since;     /* s: pieces are level from there on; NAN: the last is not */
+    double off_since; /* s */
     double width;     /* s: from the last sample to the next */
     double off;       /* y: of the curve there */
     gboolean is_open; /* whether no more than values at samples are known there, and the last is none of an event */
@@ -35,21 +39,36 @@ static void add_extremum(const Walk *walk, double time, double value, double off
     g_array_append_val(walk->sums->extrema, extremum);
 }
 
+/* Where the curve leaves what was level: of an extremum that is flat the middle counts. */
+static void leave_level(Walk *walk, double time, double value, double slope, double off_time)
+{
+    if (walk->slope * slope < 0)
+        add_extremum(walk, 0.5 * (walk->since + time), value, 0.5 * (walk->off_since + off_time), walk->off);
+    walk->since = NAN;
+}
+
 /* A kink between two pieces is an extremum where the curve turns back there. */
-static void add_kink(const Walk *walk, const TinkerCurvePiece *piece)
+static void add_kink(Walk *walk, const TinkerCurvePiece *piece)
 {
     const double slope = piece->b / piece->width, turn = fabs(slope - walk->slope);
     const double off_time = walk->is_open ? walk->width : 2 * walk->off / turn;
-    if (walk->slope * slope < 0) add_extremum(walk, piece->start, piece->a, off_time, walk->off);
+    if (!isnan(walk->since))
+        leave_level(walk, piece->start, piece->a, slope, walk->is_open ? walk->width : 0);
+    else if (walk->slope * slope < 0)
+        add_extremum(walk, piece->start, piece->a, off_time, walk->off);
 }
 
 /* Straight up or down, at one time. Each of its ends may be an extremum. */
 static void add_jump(Walk *walk, double time, double before, double behind)
 {
-    if (before == behind) return;
+    if (fabs(behind - before) <= walk->level) return;
     note(walk, before, 0);
     note(walk, behind, 0);
-    if (walk->slope * (behind - before) < 0) add_extremum(walk, time, before, 0, 0);
+    if (isnan(walk->since)) {
+        walk->since = time;
+        walk->off_since = 0;
+    }
+    leave_level(walk, time, before, behind - before, 0);
     walk->slope = behind - before;
 }
 
@@ -77,6 +96,10 @@ static void add_piece(const Walk *walk, const TinkerCurvePiece *piece, double fr
     }
     note(walk, tinker_curve_piece_value(piece, from), walk->off);
     note(walk, tinker_curve_piece_value(piece, to), walk->off);
+}
+
+static void add_roots(const Walk *walk, const TinkerCurvePiece *piece, double from, double to)
+{
     double roots[2];
     tinker_curve_piece_level(piece, roots);
     for (int k = 0; k < 2; k++)
@@ -89,9 +112,17 @@ static void add_part(Walk *walk, const TinkerCurvePiece *piece, double from, dou
     const double start = fmax(0, (from - piece->start) / piece->width),
                  end = fmin(1, (to - piece->start) / piece->width);
     if (!(start < end)) return;
-    if (start == 0) add_kink(walk, piece);
     add_piece(walk, piece, start, end);
+    if (fabs(piece->b) + fabs(piece->c) + fabs(piece->d) <= walk->level) {
+        if (!isnan(walk->since)) return;
+        walk->since = piece->start;
+        walk->off_since = walk->is_open ? walk->width : 0;
+        return;
+    }
+    if (start == 0) add_kink(walk, piece);
+    add_roots(walk, piece, start, end);
     walk->slope = tinker_curve_piece_end_slope(piece);
+    walk->since = NAN;
 }
 
 /* Extrema that are no ripple: a way back that is too small, or less than what is open between samples, takes both its
@@ -123,6 +154,17 @@ static void drop_uncertain_ends(GArray *extrema, double band)
     if (first > 0) g_array_remove_range(extrema, 0, first);
 }
 
+static double level_of(const TinkerCurveSamples *samples, double from, double to)
+{
+    double least = INFINITY, greatest = -INFINITY;
+    for (gsize i = 0; i < samples->count; i++) {
+        if (samples->times[i] < from || samples->times[i] > to) continue;
+        least = fmin(least, samples->values[i]);
+        greatest = fmax(greatest, samples->values[i]);
+    }
+    return greatest > least ? RIPPLE * (greatest - least) : 0;
+}
+
 TinkerCurveSums tinker_curve_sums(const TinkerCurveSamples *samples, const double *off, double from, double to,
                                   double band)
 {
@@ -131,7 +173,7 @@ TinkerCurveSums tinker_curve_sums(const TinkerCurveSamples *samples, const doubl
                             .below = INFINITY,
                             .above = -INFINITY,
                             .extrema = g_array_new(FALSE, FALSE, sizeof(TinkerExtremum))};
-    Walk walk = {&sums, NAN, 0, 0, FALSE};
+    Walk walk = {.sums = &sums, .slope = NAN, .level = level_of(samples, from, to), .since = NAN};
     for (gsize i = 0; i + 1 < samples->count; i++) {
         const double start = samples->times[i], end = samples->times[i + 1];
         if (start == end && start > from && start < to)

@@ -20,7 +20,7 @@ typedef struct {
 /* Why a curve has no period, or no damping. */
 typedef enum {
     TINKER_SWINGS_GOOD,      /* it has */
-    TINKER_SWINGS_TOO_FEW,   /* fewer than three extrema */
+    TINKER_SWINGS_TOO_FEW,   /* fewer than three extrema; for damping four */
     TINKER_SWINGS_UNEVEN,    /* whole swings differ in length by more than a tenth, as of a ball that bounces */
     TINKER_SWINGS_UNLIKE,    /* they become larger and smaller in turn, and do not come again */
     TINKER_SWINGS_OFF_SHARE, /* they do not shrink by the same share each time, as by dry friction or in a beat */
@@ -36,7 +36,8 @@ typedef struct {
     TinkerStatistic amplitude; /* half of greatest less least */
     TinkerStatistic period;    /* s: mean time from one extremum to the next but one; where swings become larger and
                                   smaller in turn, that after which all extrema come again; of three at least */
-    TinkerStatistic decrement; /* logarithmic, a period: of the ways from one extremum to the next, by least squares */
+    TinkerStatistic decrement; /* logarithmic, a period: of the ways from one extremum to the next, by least squares; of
+                                  four at least */
     TinkerStatistic damping;   /* ratio of critical damping, d / sqrt(4 pi^2 + d^2) */
     TinkerSwings no_period, no_damping;
 } TinkerStatistics;

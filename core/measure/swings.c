@@ -114,12 +114,11 @@ static TinkerStatistic half_decrement(const GArray *extrema, double *off_line)
     const guint ways = extrema->len - 1, half = (ways + 1) / 2;
     g_autofree double *logarithms = g_new(double, ways);
     double squares;
-    if (ways < 2) return (TinkerStatistic){NAN, NAN};
+    if (ways < 3) return (TinkerStatistic){NAN, NAN}; /* of two nothing tells whether both fall by the same share */
     for (guint i = 0; i < ways; i++)
         logarithms[i] = log(tinker_extremum_way(extrema, i));
     const double slope = slope_of(logarithms, ways);
     farthest(logarithms, ways, slope, &squares);
-    if (ways == 2) return (TinkerStatistic){-slope, 0};
     *off_line = sqrt(squares / (ways - 2));
     const double weight = (double)ways * ((double)ways * ways - 1) / 12;
     const double early = slope_of(logarithms, half), late = slope_of(logarithms + ways - half, half);

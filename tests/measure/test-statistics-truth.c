@@ -1,4 +1,4 @@
-/* Twenty signals with closed forms, at from two samples a swing to a thousand, over parts that begin and end anywhere:
+/* Signals with closed forms, at from two samples a swing to a thousand, over parts that begin and end anywhere:
  * whatever is shown, its error covers the truth. Sums of swings, each of which grows or falls by its own share, are
  * integrated in the complex plane:
  *
@@ -53,6 +53,21 @@ static double clipped(double t)
     return tanh(3 * sin(t));
 }
 
+static double flat_topped(double t)
+{
+    return fmin(sin(t), 0.5);
+}
+
+static double half_wave(double t)
+{
+    return fmax(sin(t), 0);
+}
+
+static double flat_both_ways(double t)
+{
+    return fmax(-0.3, fmin(0.6, sin(t) + 0.2 * sin(2 * t)));
+}
+
 #define TURN (2 * G_PI)
 static const Signal signals[] = {
     {"swing", NULL, {1, 2 * I}, {0, 3 * I}, 17.3, TURN / 3, TURN / 3, 0},
@@ -75,6 +90,9 @@ static const Signal signals[] = {
     {"peaked", peaked, {0}, {0}, 40, TURN / 2, TURN, 0},
     {"narrow peaks", narrow, {0}, {0}, 40, TURN / 8, TURN, 0},
     {"clipped", clipped, {0}, {0}, 40, TURN / 4, TURN, 0},
+    {"flat-topped", flat_topped, {0}, {0}, 40, TURN / 4, TURN, 0},
+    {"half wave", half_wave, {0}, {0}, 40, TURN / 4, TURN, 0},
+    {"flat both ways", flat_both_ways, {0}, {0}, 40, TURN / 4, TURN, 0},
 };
 
 static double value_of(const Signal *signal, double t)

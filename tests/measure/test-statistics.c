@@ -276,6 +276,11 @@ static void test_dry_friction(void)
         g_assert_true(isnan(s.decrement.value) && isnan(s.damping.value));
         g_assert_cmpint(s.no_period, ==, TINKER_SWINGS_GOOD);
         g_assert_cmpint(s.no_damping, ==, TINKER_SWINGS_OFF_SHARE);
+        /* three extrema fall by the same share as well as by the same amount */
+        g_assert_true(tinker_statistics(times, values, 5001, 0.5, 3.5, 0, &s));
+        check_covers("period", s.period, 2, 2e-5);
+        g_assert_true(isnan(s.decrement.value) && isnan(s.damping.value));
+        g_assert_cmpint(s.no_damping, ==, TINKER_SWINGS_TOO_FEW);
     }
 }
 

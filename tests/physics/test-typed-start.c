@@ -1,5 +1,6 @@
 /* Typed laws that set in on what is at rest, after a while or from nothing on, against closed forms: nothing else tells
- * how far off a step is. Where they set in hangs on the place, too, by next to nothing, so that it is no break. */
+ * how far off a step is. Where they set in hangs on the place, too, by next to nothing, so that it is no break. And
+ * laws that come to rest, or would. */
 #include <math.h>
 
 #include "physics-fixture.h"
@@ -61,8 +62,39 @@ static void test_beside_others(void)
                     0.1 * (1 - cos(w)), 0.1 * w * sin(w), 1e-8);
 }
 
+/* At rest these have no motion: they would keep a run busy for hours. */
+static void test_turns_against_motion(void)
+{
+    static const char *const blocks[] = {
+        "{'type': 'mass', 'velocity': [2, 0]}, {'type': 'law-force', 'ends': ['Mass 0'], 'force_x': '-vx/abs(vx)'}",
+        "{'type': 'mass', 'velocity': [2, 0]}, {'type': 'law-force', 'ends': ['Mass 0'], 'force_x': '1-2*step(vx)'}",
+        "{'type': 'mass', 'velocity': [1.4, 0]}, {'type': 'law-force', 'ends': ['Mass 0'],"
+        "'force_x': '0.3-if(vx>0,1,0)'}",
+    };
+    static const char *const methods[] = {"auto", "dopri5", "dop853", "cvode-bdf"};
+    for (gsize i = 0; i < G_N_ELEMENTS(blocks) * G_N_ELEMENTS(methods); i++) {
+        PhysicsOptions options = {.method = methods[i / G_N_ELEMENTS(blocks)], .duration = 3};
+        options.columns = "Mass 0.vx";
+        g_autoptr(PhysicsRun) run = physics_try(&options, "%s", blocks[i % G_N_ELEMENTS(blocks)]);
+        physics_assert_refused(run, TINKER_MODEL_ERROR_RUN, "the run stopped at t = 2", "back and forth", NULL);
+    }
+}
+
+/* One jump is not against the next, however many there are. */
+static void test_jumps_on_the_way(void)
+{
+    PhysicsOptions options = {.method = "dopri5", .duration = 1, .columns = "Mass 0.x, Mass 0.vx"};
+    g_autoptr(PhysicsRun) run =
+        physics_run(&options, "%s",
+                    "{'type': 'mass', 'mass': 1e6, 'velocity': [1, 0]},"
+                    "{'type': 'law-force', 'ends': ['Mass 0'], 'force_x': '2*step(sin(1e4*x))'}");
+    physics_assert_near("speed", physics_last(run, 1), 1 + 1e-6, 1e-9);
+}
+
 static void add_tests(void)
 {
+    g_test_add_func("/physics/typed-start/turns-against-motion", test_turns_against_motion);
+    g_test_add_func("/physics/typed-start/jumps-on-the-way", test_jumps_on_the_way);
     g_test_add_func("/physics/typed-start/alone", test_alone);
     g_test_add_func("/physics/typed-start/beside-others", test_beside_others);
 }

@@ -34,6 +34,7 @@ typedef struct {
     int count;
     TinkerLawArgument arguments[TINKER_TYPED_MOST_ARGUMENTS];
     TinkerLawMissed missed; /* the most; 0: nothing */
+    int jumps;              /* one after the other, in steps that are tiny */
 } TinkerLawForce;
 
 /* All of a model that are not gentle over any box. Element: TinkerLawForce. (transfer full) */

@@ -6,7 +6,9 @@
 #include <string.h>
 
 #include "physics/force/law-paths.h"
+#include "physics/limit/law-chatter.h"
 #include "physics/limit/tolerances.h"
+#include "physics/model/failures.h"
 #include "physics/model/model-data.h"
 #include "physics/model/state.h"
 #include "physics/system/method-call.h"
@@ -281,11 +283,30 @@ static TinkerStatus step_in_group(TinkerLawWatch *self, double limit, TinkerStep
     return TINKER_OK;
 }
 
+/* Behind a step: stops a run whose law jumps back and forth without end. */
+static TinkerStatus look_for_chatter(TinkerLawWatch *self, double end)
+{
+    const TinkerLawStep step = step_of(self, 0, 1);
+    for (guint i = 0; i < self->forces->len; i++) {
+        TinkerLawForce *law = &g_array_index(self->forces, TinkerLawForce, i);
+        if (!tinker_law_chatters(law, &step, end - step.from)) continue;
+        tinker_model_tell_failure(
+            self->model,
+            _("%s: its law jumps back and forth in steps of %.3g s, as a force does that turns against the motion "
+              "whenever that turns, and the run would hardly end (let it pass through zero gently, as tanh(vx/0.001) "
+              "does in place of vx/abs(vx), or take the friction of a support)"),
+            tinker_scene_block_name(self->model->scene, law->block), step.to - step.from);
+        return TINKER_FAILED;
+    }
+    return TINKER_OK;
+}
+
 /* A step that is made again as long as it is not gentle. */
 static TinkerStatus step_adaptively(TinkerLawWatch *self, double limit, TinkerStepReport *report)
 {
     TinkerIslandRun *run = self->run;
     const double from = run->state.t, least = TINKER_LAW_LEAST * fmax(from, limit - from);
+    const double end = limit;
     TinkerStatus status = begin(self);
     self->times[0] = from;
     limit = fmin(limit, from + self->most);
@@ -300,7 +321,7 @@ static TinkerStatus step_adaptively(TinkerLawWatch *self, double limit, TinkerSt
         if (share >= 1) {
             self->most = 2 * fmax(h, self->most);
             self->usual = fmax(h, TINKER_LAW_FADING * self->usual);
-            break;
+            return look_for_chatter(self, end);
         }
         status = go_back(self);
         self->most = share * h;
