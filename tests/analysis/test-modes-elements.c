@@ -111,8 +111,27 @@ static void test_attraction(void)
     assert_roughly(a, 3, sqrt(20 - 8));
 }
 
+/* A force across the velocity, as of a charge in a magnetic field, does no work: what is held by a spring of k per mass
+ * on all sides circles at sqrt(c^2 / 4 + k) -+ c / 2, and neither circle grows or dies away. */
+static void test_across_velocity(void)
+{
+    static const double turns[] = {2, 0.37, 1e-3, 30};
+    for (gsize i = 0; i < G_N_ELEMENTS(turns); i++) {
+        const double c = turns[i], k = 4, middle = sqrt(0.25 * c * c + k);
+        g_autofree char *blocks = g_strdup_printf("{'type': 'mass'}, {'type': 'law-force', 'ends': ['Mass 0'],"
+                                                  "'force_x': '%g*vy-4*x', 'force_y': '-%g*vx-4*y'}",
+                                                  c, c);
+        g_autoptr(ModesFixture) a = modes_about_rest(blocks);
+        modes_assert_relative("slow", modes_at(a, 0)->natural, k / (middle + 0.5 * c), 1e-9);
+        modes_assert_relative("fast", modes_at(a, 1)->natural, middle + 0.5 * c, 1e-9);
+        g_assert_cmpfloat(tinker_modes_growth(a->analysis->modes), ==, 0);
+        g_assert_cmpfloat(modes_at(a, 1)->decay, ==, 0);
+    }
+}
+
 static void add_tests(void)
 {
+    g_test_add_func("/modes/across-velocity", test_across_velocity);
     g_test_add_func("/modes/damped-two-masses", test_damped_two_masses);
     g_test_add_func("/modes/free-damper", test_free_damper);
     g_test_add_func("/modes/pressed-springs", test_pressed_springs);

@@ -213,6 +213,23 @@ static void test_table(CliFixture *fixture, gconstpointer data)
     cli_assert_holds(found, tension);
 }
 
+/* At the instant of a jump the numbers are those that hold from there on, as in the record. */
+static void test_at_jump(CliFixture *fixture, gconstpointer data)
+{
+    static const char *const drives[] = {
+        "{\"type\": \"motor\", \"ends\": [\"A\"], \"waveform\": {\"expression\": \"5*step(t-1)\"}}",
+        "{\"type\": \"law-force\", \"ends\": [\"A\"], \"force_x\": \"5*step(t-1)+x\"}",
+    };
+    for (gsize i = 0; i < G_N_ELEMENTS(drives); i++) {
+        g_autofree char *scene =
+            g_strdup_printf("{\"tinker\": 1, \"blocks\": [{\"type\": \"mass\", \"name\": \"A\"}, %s]}", drives[i]);
+        g_autofree char *path = cli_write(fixture, "scene.json", scene);
+        g_autoptr(TestProgram) page = cli_run_well(fixture, "equations @scene.json --at 1");
+        cli_assert_holds(page->output, " = 5 N\n");
+        cli_assert_holds(page->output, "t = 1 s");
+    }
+}
+
 /* What a table moves shakes: at rest is what it would be at u = 0, and the spring's k u stays on the right side. */
 static void test_table_forces(CliFixture *fixture, gconstpointer data)
 {
@@ -362,6 +379,7 @@ int main(int argc, char **argv)
     cli_test_add("/cli/equations/formats", test_formats);
     cli_test_add("/cli/equations/typed-number", test_typed_number);
     cli_test_add("/cli/equations/latex-letters", test_latex_letters);
+    cli_test_add("/cli/equations/at-jump", test_at_jump);
     cli_test_add("/cli/equations/refused", test_refused);
     return g_test_run();
 }

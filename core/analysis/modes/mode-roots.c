@@ -14,7 +14,8 @@
 #define LEAST_ROOT 1e-12
 /* A decay this small beside the strongest damping is rounding of it. */
 #define LEAST_DECAY 1e-13
-/* And so is one beside the largest root, where forces follow and no root is sharpened. */
+/* And so is one beside the largest root, where no root is sharpened: forces follow, or damping is not symmetric, as
+ * that of a force across the velocity. */
 #define LEAST_DECAY_OF_ROOTS 2e-14
 
 /* Damping that couples two modes by less than this beside their own, or by mere rounding of the greater, does not. */
@@ -158,7 +159,7 @@ GPtrArray *tinker_mode_roots(const TinkerModeGroup *group)
     if (!tinker_eigen_general(n, a, real, imaginary, vectors)) return NULL;
     for (gsize i = 0; i < size; i++)
         largest = fmax(largest, hypot(real[i], imaginary[i]));
-    if (group->basis->following != NULL) least_decay = fmax(least_decay, LEAST_DECAY_OF_ROOTS * largest);
+    if (group->basis->following != NULL || !symmetric) least_decay = fmax(least_decay, LEAST_DECAY_OF_ROOTS * largest);
     GPtrArray *roots = g_ptr_array_new_with_free_func(root_free);
     for (gsize i = 0; i < size; i++) {
         if (hypot(real[i], imaginary[i]) <= LEAST_ROOT * largest || imaginary[i] < 0) continue;

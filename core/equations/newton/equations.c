@@ -77,7 +77,7 @@ static void look_free(void *data)
 static void add_time(TinkerEquationWriter *writer)
 {
     double *time = g_new(double, 1);
-    *time = writer->equations->time;
+    *time = writer->time_behind;
     g_hash_table_insert(writer->equations->values, g_strdup("t"), time);
     tinker_equations_add_look(writer->equations, "t", "t", "", 0, NULL);
 }
@@ -174,7 +174,9 @@ static void write_all(TinkerEquationWriter *writer)
 TinkerEquations *tinker_equations_new(TinkerScene *scene, const TinkerModelState *state, GError **error)
 {
     g_autoptr(TinkerFrame) start = tinker_frame_new(scene, error), frame = tinker_frame_new(scene, NULL);
-    if (start == NULL || frame == NULL || !tinker_frame_set_time(frame, state->time, error)) return NULL;
+    if (start == NULL || frame == NULL) return NULL;
+    const double time_behind = tinker_frame_time_behind(frame, state->time);
+    if (!tinker_frame_set_time(frame, state->time, error)) return NULL;
     TinkerEquations *equations = g_new0(TinkerEquations, 1);
     *equations = (TinkerEquations){
         .scene = scene,
@@ -198,6 +200,7 @@ TinkerEquations *tinker_equations_new(TinkerScene *scene, const TinkerModelState
         .state = state,
         .frame = frame,
         .start = start,
+        .time_behind = time_behind,
         .indices = g_hash_table_new_full(NULL, NULL, NULL, g_free),
         .stems = g_hash_table_new_full(g_str_hash, g_str_equal, g_free, NULL),
         .by_name = g_hash_table_new(g_str_hash, g_str_equal),

@@ -25,6 +25,7 @@ typedef struct {
                              take these as they stand */
     GHashTable *sampled;  /* name of a symbol of a table, or of its rate, to TinkerSampledSymbol */
     GArray *slopes;       /* of TinkerRowSlope */
+    double time_behind;   /* s: the state's, behind what switches there */
     double extent;        /* m: how far from the origin bodies are */
 } TinkerEquationWriter;
 

@@ -167,6 +167,12 @@ void tinker_block_batch_enter_behind(TinkerBlockBatch *batch, double t)
     tinker_block_batch_bound_laws(batch, t, next);
 }
 
+double tinker_block_batch_time_behind(TinkerBlockBatch *batch, double t)
+{
+    const double beside = tinker_time_beside(t, 1);
+    return isfinite(tinker_block_batch_next_break(batch, t - beside, t + beside)) ? t + beside : t;
+}
+
 int32_t tinker_block_batch_break_row(const TinkerBlockBatch *batch)
 {
     int32_t first = 0;

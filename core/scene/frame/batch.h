@@ -104,6 +104,9 @@ void tinker_block_batch_bound_laws(TinkerBlockBatch *batch, double from, double 
  * What is found is remembered, so that only those whose break has passed are asked again. */
 double tinker_block_batch_next_break(TinkerBlockBatch *batch, double t, double horizon);
 
+/* t; or, where a break is there, the time next to it at which expressions are on the side that holds from t on. */
+double tinker_block_batch_time_behind(TinkerBlockBatch *batch, double t);
+
 /* Enters the piece that holds from t on. */
 void tinker_block_batch_enter_behind(TinkerBlockBatch *batch, double t);
 

@@ -138,6 +138,14 @@ double tinker_frame_time(const TinkerFrame *frame)
     return frame->time;
 }
 
+double tinker_frame_time_behind(TinkerFrame *frame, double t)
+{
+    double behind = t;
+    for (guint i = 0; i < frame->batches->len; i++)
+        behind = fmax(behind, tinker_block_batch_time_behind(g_ptr_array_index(frame->batches, i), t));
+    return behind;
+}
+
 gboolean tinker_frame_set_time(TinkerFrame *frame, double t, GError **error)
 {
     frame->time = t;

@@ -22,6 +22,9 @@ G_DEFINE_AUTOPTR_CLEANUP_FUNC(TinkerFrame, tinker_frame_free)
 TinkerScene *tinker_frame_scene(const TinkerFrame *frame);
 double tinker_frame_time(const TinkerFrame *frame);
 
+/* t; or, where what t alone switches does so there, the time next to it at which an expression is on the side that
+ * holds from t on. Time is to be set behind this. */
+double tinker_frame_time_behind(TinkerFrame *frame, double t);
 /* Goes to time t: waveform columns are evaluated there, and supports stand where their motions have them. Bodies that
  * can move stay where they are until tinker_frame_place moves them. */
 gboolean tinker_frame_set_time(TinkerFrame *frame, double t, GError **error);
