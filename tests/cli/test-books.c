@@ -220,6 +220,28 @@ static void test_struck(CliFixture *fixture, gconstpointer data)
     assert_answer(fixture, STRUCK, "books @scene.json --block B --to 0.5 --as json", behind, G_N_ELEMENTS(behind));
 }
 
+/* A blow at time 0, or a landing, comes behind the start: 4 N s on 4 kg, and a ball that is thrown off the floor with
+ * half its speed. */
+static void test_blow_at_start(CliFixture *fixture, gconstpointer data)
+{
+    static const char thrown[] =
+        SCENE("{\"type\": \"support\", \"name\": \"Floor\", \"height\": 0, \"restitution\": 0.5},"
+              "{\"type\": \"mass\", \"name\": \"A\", \"mass\": 2, \"width\": 0, \"height\": 0, \"velocity\": [0, -3]}");
+    static const Expected struck[] = {
+        {"momentum/momentum/0/0", 0}, {"momentum/impulses/Blow/0", 4}, {"energy/work/Blow", 2},
+        {"energy/kinetic/0", 0},      {"momentum/residual", 0},        {"energy/residual", 0},
+        {"angular/residual", 0},      {"momentum/momentum/1/0", 4},    {"impacts/0/impulse/0", 4},
+    };
+    static const Expected bounced[] = {
+        {"energy/kinetic/0", 9},       {"impacts/0/impulse/1", 9}, {"energy/work/Floor", -6.75},
+        {"momentum/momentum/0/1", -6}, {"momentum/residual", 0},   {"energy/residual", 0},
+    };
+    g_autoptr(GString) at_start = g_string_new(STRUCK);
+    g_string_replace(at_start, "\"time\": 0.25", "\"time\": 0", 0);
+    assert_answer(fixture, at_start->str, "books @scene.json --to 0.5 --as json", struck, G_N_ELEMENTS(struck));
+    assert_answer(fixture, thrown, "books @scene.json --to 0.1 --as json", bounced, G_N_ELEMENTS(bounced));
+}
+
 static void test_blow_that_is_held(CliFixture *fixture, gconstpointer data)
 {
     static const Expected expected[] = {{"impacts/0/work", 1.2},   {"impacts/0/impulse/0", 4},
@@ -428,6 +450,7 @@ int main(int argc, char **argv)
     cli_test_add("/cli/books/ends-at-impact", test_ends_at_impact);
     cli_test_add("/cli/books/struck", test_struck);
     cli_test_add("/cli/books/blow-that-is-held", test_blow_that_is_held);
+    cli_test_add("/cli/books/blow-at-start", test_blow_at_start);
     cli_test_add("/cli/books/bumper", test_bumper);
     cli_test_add("/cli/books/dumbbell", test_dumbbell);
     cli_test_add("/cli/books/pulled-less", test_pulled_less);

@@ -35,7 +35,7 @@ static inline void one_island_open(OneIsland *self, const char *blocks)
 static inline void one_island_start(OneIsland *self, const TinkerChoice *choice, double duration)
 {
     g_autoptr(GError) error = NULL;
-    self->run = tinker_island_run_new(&self->island, choice, 0.8, duration, &self->whole, &error);
+    self->run = tinker_island_run_new(&self->island, choice, 0.8, duration, &self->whole, NULL, &error);
     g_assert_no_error(error);
 }
 

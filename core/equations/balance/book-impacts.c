@@ -126,3 +126,40 @@ void tinker_book_look_for_jumps(TinkerBookKeeper *keeper, const TinkerModelState
             add_impacts(keeper, body, now, since, state->time);
     }
 }
+
+/* m/s, m/s, rad/s: what a body was given at time 0. */
+static void given_at_start(const TinkerBookKeeper *keeper, const TinkerBookBody *body, double given[3])
+{
+    memset(given, 0, 3 * sizeof *given);
+    for (guint i = 0; i < keeper->jolts->len; i++) {
+        const TinkerJolt *jolt = &g_array_index(keeper->jolts, TinkerJolt, i);
+        if (!is_within(jolt, body, 0, 0)) continue;
+        for (int axis = 0; axis < 2; axis++)
+            given[axis] += jolt->impulse[axis] / body->mass;
+        if (body->inertia > 0) given[2] += jolt->spin / body->inertia;
+    }
+}
+
+static void add_speeds(TinkerBookKeeper *keeper, TinkerModelState *state, double sign)
+{
+    for (guint i = 0; i < state->bodies->len; i++) {
+        TinkerBodyState *at = &g_array_index(state->bodies, TinkerBodyState, i);
+        const TinkerBookBody *body = tinker_book_body(keeper, at->block);
+        double given[3];
+        if (body == NULL) continue;
+        given_at_start(keeper, body, given);
+        at->at.vx += sign * given[0];
+        at->at.vy += sign * given[1];
+        at->rate += sign * given[2];
+    }
+}
+
+void tinker_book_begin_before_blows(TinkerBookKeeper *keeper, TinkerModelState *state)
+{
+    add_speeds(keeper, state, -1);
+    tinker_book_add_motion(keeper, state, 0);
+    tinker_book_look_for_jumps(keeper, state, INFINITY);
+    add_speeds(keeper, state, 1);
+    tinker_book_add_motion(keeper, state, -1);
+    tinker_book_look_for_jumps(keeper, state, 0);
+}

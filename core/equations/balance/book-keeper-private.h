@@ -57,6 +57,10 @@ void tinker_book_add_forces(TinkerBookKeeper *keeper, const TinkerModelState *st
  * the last the state's time. */
 void tinker_book_look_for_jumps(TinkerBookKeeper *keeper, const TinkerModelState *state, double since);
 
+/* The motion at time 0, whose state is the one behind blows there: the books begin before them. The state is left as it
+ * was. */
+void tinker_book_begin_before_blows(TinkerBookKeeper *keeper, TinkerModelState *state);
+
 /* Fills the books from the accounts. */
 void tinker_book_conclude(TinkerBookKeeper *keeper);
 

@@ -40,7 +40,10 @@ static gboolean look(TinkerSimulation *simulation, double time, const double *va
         tinker_model_state_take(simulation, keeper->model, keeper->scene, time, values, error);
     if (state == NULL) return FALSE;
     const gboolean start = node->kind == TINKER_NODE_START, end = node->kind == TINKER_NODE_END;
-    tinker_book_add_motion(keeper, state, start ? 0 : end ? 1 : -1);
+    if (start && time == 0)
+        tinker_book_begin_before_blows(keeper, state);
+    else
+        tinker_book_add_motion(keeper, state, start ? 0 : end ? 1 : -1);
     if (node->kind == TINKER_NODE_INSIDE || end) {
         double judged[TINKER_BOOK_FUNCTIONS];
         tinker_book_add_forces(keeper, state, node->weight, end, judged);

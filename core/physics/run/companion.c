@@ -95,6 +95,7 @@ TinkerIslandRuns *tinker_companion_new(TinkerIslandRuns *runs, TinkerModel *mode
     options.estimate = FALSE;
     options.progress = NULL;
     options.found = NULL;
+    options.jolts = NULL;
     g_autofree TinkerChoice *choices = g_new(TinkerChoice, runs->runs->len);
     for (guint i = 0; i < runs->runs->len; i++)
         choices[i] = choice_of(g_ptr_array_index(runs->runs, i));

@@ -59,7 +59,7 @@ static gboolean open_runs(TinkerIslandRuns *self, const TinkerChoice *choices, G
         else if (!tinker_plan_choose(island, &self->options, &choice, self->summary.warnings, error))
             return FALSE;
         TinkerIslandRun *run = tinker_island_run_new(island, &choice, self->options.spectral_radius, MAX(duration, 1.0),
-                                                     &self->summary, error);
+                                                     &self->summary, self->options.jolts, error);
         if (run == NULL) return FALSE;
         g_ptr_array_add(self->runs, run);
     }

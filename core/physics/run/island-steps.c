@@ -74,13 +74,14 @@ static gboolean open_run(TinkerIslandRun *run, double horizon, GError **error)
 }
 
 TinkerIslandRun *tinker_island_run_new(const TinkerIsland *island, const TinkerChoice *choice, double spectral_radius,
-                                       double horizon, const TinkerSummary *whole, GError **error)
+                                       double horizon, const TinkerSummary *whole, GArray *jolts, GError **error)
 {
     TinkerIslandRun *run = g_new0(TinkerIslandRun, 1);
     run->island = island;
     run->model = island->model;
     run->choice = *choice;
     run->latest = INFINITY;
+    run->jolts = jolts;
     run->step_grid = tinker_time_grid(choice->interval > 0 ? choice->interval : choice->step);
     open_summary(run, whole);
     run->spectral_radius = spectral_radius;

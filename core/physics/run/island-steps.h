@@ -7,10 +7,11 @@
 #include "physics/plan/plan.h"
 #include "physics/system/summary.h"
 
-/* Starts the run of an island, which is borrowed. `run` collects its events and warnings, which are borrowed as well.
+/* Starts the run of an island, which is borrowed. `run` collects its events and warnings, which are borrowed as well,
+ * and `jolts` (may be NULL) what gives bodies impulses, from blows at the start on.
  * (transfer full) */
 TinkerIslandRun *tinker_island_run_new(const TinkerIsland *island, const TinkerChoice *choice, double spectral_radius,
-                                       double horizon, const TinkerSummary *run, GError **error);
+                                       double horizon, const TinkerSummary *run, GArray *jolts, GError **error);
 void tinker_island_run_free(TinkerIslandRun *run);
 
 /* One step, not beyond `end`. */

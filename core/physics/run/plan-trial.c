@@ -61,7 +61,7 @@ static TinkerTrial make_trial(const TinkerIsland *island, const TinkerChoice *ch
     TinkerSummary unread;
     unread_new(&unread);
     TinkerIslandRun *run =
-        tinker_island_run_new(island, choice, options->spectral_radius, MAX(end, 1.0), &unread, NULL);
+        tinker_island_run_new(island, choice, options->spectral_radius, MAX(end, 1.0), &unread, NULL, NULL);
     if (run != NULL) made = make_steps(run, rates, end, operations);
     tinker_island_run_free(run);
     unread_clear(&unread);

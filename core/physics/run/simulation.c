@@ -26,8 +26,6 @@ TinkerSimulation *tinker_simulation_new_chosen(TinkerModel *model, const TinkerR
     if (all == NULL) return NULL;
     TinkerSimulation *simulation = g_new0(TinkerSimulation, 1);
     simulation->all = all;
-    for (guint i = 0; i < all->runs->len; i++)
-        ((TinkerIslandRun *)g_ptr_array_index(all->runs, i))->jolts = options->jolts;
     return simulation;
 }
 
