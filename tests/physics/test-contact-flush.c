@@ -92,8 +92,33 @@ static void test_guided_blow(void)
             check_guided_blow(3.6 + 0.02 * i, pow(10, -digits));
 }
 
+/* Nothing but what rounding makes of their turns presses on boxes that have met and go on together where no force acts:
+ * they go on as one, and what may be off is told to the end. */
+static void test_free(void)
+{
+    g_autoptr(GRand) random = g_rand_new_with_seed(3);
+    for (int i = 0; i < 100; i++) {
+        const double rather = pow(10, -g_rand_double_range(random, 12, 16));
+        double off[8];
+        for (gsize k = 0; k < G_N_ELEMENTS(off); k++)
+            off[k] = g_rand_boolean(random) ? rather : -rather;
+        g_autoptr(PhysicsRun) run = physics_run(
+            &(PhysicsOptions){.duration = 3, .estimate = TRUE, .columns = "Box 0.vx, Box 1.vx, Box 0.angular velocity"},
+            "{'type': 'box', 'position': [%.17g, %.17g], 'orientation': %.17g, 'angular_velocity': %.17g,"
+            " 'velocity': [2, 0]},"
+            "{'type': 'box', 'position': [%.17g, %.17g], 'orientation': %.17g, 'angular_velocity': %.17g}",
+            off[0], off[1], off[2], off[3], 3 + off[4], off[5], off[6], off[7]);
+        physics_assert_near("one", physics_last(run, 0), 1, 1e-9);
+        physics_assert_near("other", physics_last(run, 1), 1, 1e-9);
+        physics_assert_near("turn", physics_last(run, 2), 0, 1e-9);
+        g_assert_true(isfinite(run->summary->error_estimate));
+        g_assert_cmpuint(run->summary->warnings->len, ==, 0);
+    }
+}
+
 static void add_tests(void)
 {
+    g_test_add_func("/contact-flush/free", test_free);
     g_test_add_func("/contact-flush/guided-blow", test_guided_blow);
     g_test_add_func("/contact-flush/central", test_central);
 }

@@ -354,6 +354,23 @@ static double acceleration_noise(const TinkerContactRun *self)
     return self->remembers ? fmax(TINKER_FORCE_ROUNDING, self->run->choice.tolerance) : force_noise(self);
 }
 
+static double force_rounding(const TinkerContactRun *self, const TinkerTrigger *trigger)
+{
+    if (trigger->row >= 0)
+        return TINKER_FORCE_ROUNDING * self->model->mass[trigger->body] * acceleration_scale(self, trigger);
+    if (tinker_contact_run_repeats(self))
+        return force_noise(self) * fmax(self->force_scale[trigger->closed], loads_of_both(self, trigger));
+    return force_noise(self) * self->force_scale[trigger->closed];
+}
+
+/* m/s^2: what turning by the rounding of a speed makes of accelerations. Where no other force acts, as on what has met
+ * and goes on together, nothing but this presses. */
+static double rounding_of_turning(const TinkerContactRun *self, const TinkerTrigger *trigger, double speed)
+{
+    const double place = tinker_trigger_place_rounding(self, trigger) / TINKER_PLACE_ROUNDING;
+    return place > 0 ? TINKER_TURNING_ROUNDING * speed * speed / place : 0;
+}
+
 double tinker_trigger_level(const TinkerContactRun *self, const TinkerTrigger *trigger, double speed)
 {
     switch (trigger->kind) {
@@ -365,12 +382,10 @@ double tinker_trigger_level(const TinkerContactRun *self, const TinkerTrigger *t
         return -tinker_contact_run_speed_noise(self) * speed;
     case TINKER_TRIGGER_LEAVING:
     case TINKER_TRIGGER_STARTING:
-        return -acceleration_noise(self) * acceleration_scale(self, trigger);
+        return -acceleration_noise(self) * acceleration_scale(self, trigger) -
+               rounding_of_turning(self, trigger, speed);
     default:
-        if (trigger->row >= 0)
-            return -TINKER_FORCE_ROUNDING * self->model->mass[trigger->body] * acceleration_scale(self, trigger);
-        if (tinker_contact_run_repeats(self))
-            return -force_noise(self) * fmax(self->force_scale[trigger->closed], loads_of_both(self, trigger));
-        return -force_noise(self) * self->force_scale[trigger->closed];
+        return -force_rounding(self, trigger) -
+               self->model->mass[trigger->body] * rounding_of_turning(self, trigger, speed);
     }
 }
