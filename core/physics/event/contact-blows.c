@@ -108,9 +108,9 @@ static gboolean is_braked(const TinkerContactChange *change, guint number)
     return FALSE;
 }
 
-/* Rebounds below this (m/s) are none. Without any loss along the normal a bounce never ends, but where something else
- * takes energy: friction, to and fro between rough plates, a damper or the air on the way, or what lies on the body
- * that bounces, which presses it back ever sooner. */
+/* Rebounds below this (m/s) are none. Without any loss along the normal a bounce that leaves the top by more than
+ * rounding never ends, but where something else takes energy: friction, to and fro between rough plates, a damper or
+ * the air on the way, or what lies on the body that bounces, which presses it back ever sooner. */
 static double least_rebound(const TinkerContactChange *change, guint number)
 {
     const TinkerSurface surface = tinker_touch_surface(change, number);
@@ -118,7 +118,8 @@ static double least_rebound(const TinkerContactChange *change, guint number)
         return fmax(TINKER_LEAST_REBOUND * change->speed, change->least_rise);
     gboolean between = change->run->neighbours.lists[tinker_touch(change, number)->contact.body]->len > 1;
     gboolean damped = change->model->lines.any_damping || change->model->field_drag != 0;
-    return damped || (between && surface.dynamic_friction > 0) ? TINKER_LEAST_REBOUND * change->speed : 0;
+    const gboolean ends = damped || (between && surface.dynamic_friction > 0);
+    return fmax(ends ? TINKER_LEAST_REBOUND * change->speed : 0, change->least_flight);
 }
 
 /* Parts, but too slowly to be seen. */
@@ -287,6 +288,7 @@ static gboolean note_least_rise(TinkerContactChange *change, double *pairs)
 {
     double scale;
     if (!tinker_change_accelerations(change, pairs, &scale)) return FALSE;
+    change->least_flight = 2 * sqrt(scale * change->tolerance);
     change->least_rise = 2 * sqrt(scale * place_noise(change));
     return TRUE;
 }

@@ -48,6 +48,7 @@ typedef struct {
     double tolerance; /* m: within it a gap is closed */
     double speed, slow;   /* m/s: the largest; the share of it that is still */
     GArray *alternatives; /* of TinkerAlternative: of the impact, where the laws differ; else NULL. Owned */
+    double least_flight;  /* m/s: what rises to no more than places are known by rounding is that slow */
     double least_rise;    /* m/s: what rises to no more than the tolerance, or than the method resolves, is that slow */
 } TinkerContactChange;
 
