@@ -215,13 +215,11 @@ static gboolean approaches(const TinkerContactChange *change, double share)
     return FALSE;
 }
 
-/* A rebound that would be too slow to be seen is none: else infinitely many follow. Newton's law knows none either of
- * what did not approach before a blow. Of blows that follow on one another by turns each takes a
- * share of what is left of the speeds that close: infinitely many leave none, as one without rebound does, since all of
- * them act along the same directions. */
+/* A rebound that would be too slow to be seen is none: else infinitely many follow. Of blows that follow on one another
+ * by turns each takes a share of what is left of the speeds that close: infinitely many leave none, as one without
+ * rebound does, since all of them act along the same directions. */
 static double seen_restitution(const TinkerContactChange *change, guint number, double approach)
 {
-    if (change->trigger.kind == TINKER_TRIGGER_BLOW) return 0;
     const double e = tinker_touch_surface(change, number).restitution;
     const gboolean unseen = e * approach < least_rebound(change, number);
     return unseen || (change->rattles && e < 1) ? 0 : e;
@@ -367,12 +365,13 @@ static gboolean strike(TinkerContactChange *change, gboolean again, GError **err
     if (tinker_contact_laws_init(&laws, change) != TINKER_OK)
         return tinker_change_refuse(change, change->model->failure, error);
     const double fastest = fastest_approach(change);
-    g_autofree double *driven = g_new(double, MAX(laws.count, 1)); /* as fast as anything approaches, at most */
+    const gboolean blow = change->trigger.kind == TINKER_TRIGGER_BLOW; /* what closes did not approach before it */
+    g_autofree double *driven = g_new(double, MAX(laws.count, 1));     /* as fast as anything approaches, at most */
     for (guint i = 0; i < laws.count; i++) {
         const TinkerContactPlace *place = &tinker_touch(change, i)->place;
         laws.pairs[2 * i] = place->normal_speed;
         laws.pairs[2 * i + 1] = place->tangential_speed;
-        laws.first[i] = again ? 0 : seen_restitution(change, i, -place->normal_speed);
+        laws.first[i] = again || blow ? 0 : seen_restitution(change, i, -place->normal_speed);
         driven[i] = again ? 0 : seen_restitution(change, i, fastest);
         /* the friction of a pin is left out of blows */
         laws.second[i] = tinker_touch_is_pin(change, i) ? 0 : tinker_touch_surface(change, i).dynamic_friction;

@@ -247,7 +247,9 @@ gboolean tinker_contact_run_reclassify(TinkerContactRun *self, GError **error)
 
 gboolean tinker_contact_run_open_blow(TinkerContactRun *self, GError **error)
 {
-    return enter_plane(self, error);
+    const TinkerTrigger none = {.kind = TINKER_TRIGGER_NONE, .row = -1};
+    return enter_plane(self, error) &&
+           tinker_contact_run_change_until_parting(self, &none, tinker_contact_run_closed_gap(self), 0, error);
 }
 
 gboolean tinker_contact_run_close_blow(TinkerContactRun *self, const double *given, GError **error)

@@ -22,8 +22,9 @@ gboolean tinker_contact_run_pass(TinkerContactRun *contact_run, GError **error);
 /* At a break: forces may have jumped, so that what is closed or sticks is asked anew. */
 gboolean tinker_contact_run_reclassify(TinkerContactRun *contact_run, GError **error);
 
-/* Around a blow that changes velocities: the island is stepped in the plane from the first on; the second lets contacts
- * answer, without rebound where they were closed. `given`: by coordinate, the changes of velocities that blocks gave.
+/* Around a blow that changes velocities: the first lets what meets at the instant do so before it, and the island is
+ * stepped in the plane from there on; the second lets contacts answer, which by Newton's law do not rebound. `given`:
+ * by coordinate, the changes of velocities that blocks gave.
  */
 gboolean tinker_contact_run_open_blow(TinkerContactRun *contact_run, GError **error);
 gboolean tinker_contact_run_close_blow(TinkerContactRun *contact_run, const double *given, GError **error);

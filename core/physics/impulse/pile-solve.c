@@ -207,7 +207,7 @@ static gboolean solve(TinkerPile *pile, double enough, double share_of_sweeps)
 }
 
 /* What contacts gave (J), for velocities without them and with them; what is beneath a top that moves gets that from
- * what moves it. *most: of the two of normals and friction, what was moved. */
+ * what moves it. *most: what was moved to and fro, as an elastic impact takes and gives back. */
 static double energy_given(const TinkerPile *pile, double *most)
 {
     double sum = 0;
@@ -216,14 +216,15 @@ static double energy_given(const TinkerPile *pile, double *most)
         const TinkerPileTouch *touch = &pile->touches[i];
         for (int32_t k = 0; k < touch->count; k++) {
             const TinkerPilePoint *point = &pile->points[touch->first + k];
-            const double normal =
-                0.5 * point->normal *
-                (tinker_pile_speed(pile->without, touch, point) + tinker_pile_speed(pile->bodies, touch, point));
-            const double sliding =
-                0.5 * point->sliding *
-                (tinker_pile_slide(pile->without, touch, point) + tinker_pile_slide(pile->bodies, touch, point));
-            sum += normal + sliding;
-            *most += fabs(normal) + fabs(sliding);
+            const double before[] = {tinker_pile_speed(pile->without, touch, point),
+                                     tinker_pile_slide(pile->without, touch, point)};
+            const double behind[] = {tinker_pile_speed(pile->bodies, touch, point),
+                                     tinker_pile_slide(pile->bodies, touch, point)};
+            const double impulse[] = {point->normal, point->sliding};
+            for (int axis = 0; axis < 2; axis++) {
+                sum += 0.5 * impulse[axis] * (before[axis] + behind[axis]);
+                *most += 0.5 * fabs(impulse[axis]) * (fabs(before[axis]) + fabs(behind[axis]));
+            }
         }
     }
     return sum;
