@@ -130,13 +130,13 @@ static gboolean check_accelerations(TinkerModel *model, GError **error)
     return TRUE;
 }
 
-/* Rows that hold in one direction only are slack until a run asks which of them are not, but for what is `stretched`:
+/* Rows that hold in one direction only are slack until a run asks which of them are not, but for what is stretched:
  * that is brought back with the start positions. */
-static void slacken(TinkerModel *model, gboolean stretched)
+static void tighten_stretched(TinkerModel *model)
 {
     const TinkerConstraints *all = &model->constraints;
     for (int32_t row = 0; all->unilateral != NULL && row < all->rows; row++)
-        if (all->unilateral[row]) tinker_constraints_set_slack(model, row, !stretched || all->own_g[row] <= 0);
+        if (all->unilateral[row]) tinker_constraints_set_slack(model, row, all->own_g[row] <= 0);
 }
 
 gboolean tinker_model_check_start(TinkerModel *model, GError **error)
@@ -150,10 +150,10 @@ gboolean tinker_model_check_start(TinkerModel *model, GError **error)
     if (!tinker_start_check_positions(model, error)) return FALSE;
     tinker_constraints_find_redundant(model);
     gboolean moved;
-    slacken(model, TRUE);
+    tighten_stretched(model);
     if (tinker_constraints_project_positions(model, 0.0, model->q_start, model->v_start, &moved) != TINKER_OK)
         return run_error(model, TINKER_MODEL_ERROR_CONTRADICTION, error);
-    slacken(model, FALSE);
+    tinker_constraints_set_all_slack(model, TRUE);
     if (all->unilateral != NULL && tinker_constraints_evaluate(model) != TINKER_OK)
         return run_error(model, TINKER_MODEL_ERROR_RUN, error);
     return correct_velocities(model, error) && check_accelerations(model, error);

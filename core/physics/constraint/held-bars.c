@@ -28,14 +28,11 @@ static gboolean is_held(TinkerModel *model, const TinkerStraightRow *of, double 
 
 gboolean tinker_straight_rows_drop_held(TinkerModel *model, GArray *rows)
 {
-    TinkerConstraints *all = &model->constraints;
-    for (int32_t row = 0; all->unilateral != NULL && row < all->rows; row++)
-        if (all->unilateral[row]) tinker_constraints_set_slack(model, row, TRUE);
+    tinker_constraints_set_all_slack(model, TRUE);
     gboolean good = tinker_constraints_evaluate(model) == TINKER_OK;
     g_autofree double *v = g_new0(double, (gsize)MAX(model->coordinates, 1));
     for (guint i = rows->len; good && i-- > 0;)
         if (is_held(model, &g_array_index(rows, TinkerStraightRow, i), v)) g_array_remove_index(rows, i);
-    for (int32_t row = 0; all->unilateral != NULL && row < all->rows; row++)
-        if (all->unilateral[row]) tinker_constraints_set_slack(model, row, FALSE);
+    tinker_constraints_set_all_slack(model, FALSE);
     return good;
 }

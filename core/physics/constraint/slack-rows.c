@@ -13,6 +13,13 @@ void tinker_constraints_set_slack(TinkerModel *model, int32_t row, gboolean slac
     model->constraints.factored = model->constraints.keeps_factored = FALSE;
 }
 
+void tinker_constraints_set_all_slack(TinkerModel *model, gboolean slack)
+{
+    const TinkerConstraints *all = &model->constraints;
+    for (int32_t row = 0; all->unilateral != NULL && row < all->rows; row++)
+        if (all->unilateral[row]) tinker_constraints_set_slack(model, row, slack);
+}
+
 void tinker_constraints_hide_slack(TinkerConstraints *all)
 {
     gsize rows = (gsize)all->rows;

@@ -33,7 +33,8 @@ void tinker_island_run_name_method(TinkerIslandRun *run)
 
 void tinker_island_run_open_state(TinkerIslandRun *run)
 {
-    const TinkerModel *model = run->model;
+    TinkerModel *model = run->model;
+    tinker_constraints_set_all_slack(model, TRUE); /* whatever a run before it left */
     gsize n = (gsize)MAX(model->coordinates, 1);
     tinker_model_system_init(&run->system, run->model, run->island->linear);
     run->room = g_new0(double, 6 * n + (gsize)run->system.system.books + 1);
