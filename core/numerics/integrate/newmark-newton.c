@@ -56,16 +56,18 @@ static TinkerStatus factor(NewmarkStepper *self, double h, double limit)
     const TinkerSystem *system = self->system;
     const TinkerNewmarkWeights *w = &self->weights;
     double by_v = (1.0 - w->mean_force) * h * w->gamma, by_q = (1.0 - w->mean_force) * h * h * w->beta, stiffest = 0.0;
-    double *matrix = self->stiffness;
+    double *matrix = self->stiffness, held = 0.0;
     TinkerStatus status = system->jacobian(system->context, limit, self->q, self->v, self->stiffness, self->damping);
     if (status != TINKER_OK) return status;
     for (int32_t k = 0; k < system->pattern->entries; k++)
         matrix[k] = by_q * self->stiffness[k] + by_v * self->damping[k];
     for (int32_t i = 0; i < system->size; i++) {
         double *entry = &matrix[self->diagonal[i]];
+        held = fmax(held, fabs(*entry) / system->mass[i]);
         *entry += (1.0 - w->mean_acceleration) * system->mass[i];
         stiffest = fmax(stiffest, fabs(*entry) / system->mass[i]);
     }
+    self->held = held / (1.0 + held);
     if (tinker_is_constrained(system) && system->row_masses != NULL) {
         status = system->row_masses(system->context, limit, self->q, self->row_masses);
         if (status != TINKER_OK) return status;
@@ -103,9 +105,15 @@ static TinkerStatus solve(NewmarkStepper *self, double limit)
     return status;
 }
 
-/* What rounding of the terms of q1, v1 and x itself makes of x. Their norms in one loop, so that no sum waits for
- * itself alone. */
-static double rounding(const NewmarkStepper *self, double h)
+/* What rounding of the terms of q1, v1 and x itself makes of x: `least` where places act by the forces that they make,
+ * `most` where they are what is asked for, as on rows of constraints near a singular place. */
+typedef struct {
+    double least, most;
+    int is_much; /* most, beside the accelerations: an iteration that ends there may leave the same in each step */
+} Rounding;
+
+/* All norms in one loop, so that no sum waits for itself alone. */
+static Rounding rounding(const NewmarkStepper *self, double h)
 {
     const TinkerNewmarkWeights *w = &self->weights;
     const double *terms[] = {self->q, self->v, self->x, self->a};
@@ -114,7 +122,15 @@ static double rounding(const NewmarkStepper *self, double h)
         for (int k = 0; k < 4; k++)
             sums[k] += self->system->mass[i] * terms[k][i] * terms[k][i];
     double by_place = sqrt(sums[0]) / (w->beta * h * h), by_speed = sqrt(sums[1]) / (w->gamma * fabs(h));
-    return 4.0 * DBL_EPSILON * (by_place + by_speed + sqrt(sums[2]) + sqrt(sums[3]));
+    double accelerations = sqrt(sums[2]) + sqrt(sums[3]), itself = by_speed + accelerations;
+    double least = 4.0 * DBL_EPSILON * (self->held * by_place + itself), most = 4.0 * DBL_EPSILON * (by_place + itself);
+    return (Rounding){least, most, most > TINKER_LOOSE_NEWTON * accelerations};
+}
+
+/* Whether a correction, or what is to be expected behind it where each is `gain` of the one before. */
+static int is_nothing(double size, double gain, double rounding)
+{
+    return size <= rounding || gain * size <= (1.0 - gain) * rounding;
 }
 
 /* x = base - share * descent. */
@@ -141,6 +157,7 @@ static TinkerStatus find_correction(NewmarkStepper *self, const TinkerState *sta
     if (status == TINKER_OK && !self->factored) status = factor(self, h, limit);
     if (status == TINKER_OK) status = solve(self, limit);
     if (status == TINKER_OK) *size = norm(self->system, self->correction);
+    if (!tinker_is_constrained(self->system)) self->moving = *size;
     return status;
 }
 
@@ -194,15 +211,19 @@ TinkerStatus newmark_find_acceleration(NewmarkStepper *self, const TinkerState *
             progress.size = progress.moving;
             size = self->moving;
         }
-        double gain = first ? 1.0 : size / progress.size, least = rounding(self, h);
+        double gain = first ? 1.0 : size / progress.size;
+        Rounding of = rounding(self, h);
         if (status != TINKER_OK || !(size < progress.size)) {
             /* what is left over may be rounding of large, balanced forces */
-            if (progress.sharp && progress.size < 1e4 * least) return place(self, state, h, limit);
+            if (progress.sharp && progress.size < 1e4 * of.most) return place(self, state, h, limit);
             if (!retreat(self, &progress)) return TINKER_RETRY_SMALLER;
             continue;
         }
         advance(self, &progress, size, sharp);
-        if (self->linear || size <= least || gain * size <= (1.0 - gain) * least) return place(self, state, h, limit);
+        if (self->linear || is_nothing(size, gain, of.most)) {
+            if (of.is_much && !is_nothing(self->moving, gain, of.least)) self->factored = 0;
+            return place(self, state, h, limit);
+        }
         if (!first && gain > TINKER_SLOW_NEWTON) self->factored = 0;
     }
     return TINKER_RETRY_SMALLER;

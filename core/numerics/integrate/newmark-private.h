@@ -19,6 +19,7 @@ typedef struct NewmarkStepper {
     int carried;            /* `a` and `power_from` belong to the present state */
     double h;               /* of the last step; 0: none */
     double moving;          /* of the correction found last, what moves the end: not along the rows of constraints */
+    double held;            /* share of the matrix that forces make and masses do not: 0 loose, 1 stiff */
     int factored;
     int32_t *diagonal; /* entries of the pattern */
     double *stiffness, *damping, *row_masses;

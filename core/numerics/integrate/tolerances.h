@@ -23,6 +23,9 @@
 /* No unit; of the residual: an iteration that leaves more asks for a new matrix. Held by: numerics-integrators,
  * physics-implicit. */
 #define TINKER_SLOW_NEWTON 0.1
+/* No unit; of the accelerations: where rounding of places is more of them, an old matrix, which leaves the same in each
+ * step, is given up for what it leaves of the motion. Held by: physics-implicit. */
+#define TINKER_LOOSE_NEWTON 1e-7
 /* No unit; of the stiffest beside them: what moves along the rows of constraints. Held by: -. */
 #define TINKER_ROW_WEIGHT 1e6
 /* No unit; of the tolerance that one step may spend: errors add up over a run. Held by: numerics-adaptive,
