@@ -66,7 +66,8 @@ static void test_comparisons(void)
     "{'type': 'gravity', 'acceleration': 10}, {'type': 'support', 'width': 9, 'position': [0, -0.2], 'restitution': "  \
     "0.5}, {'type': 'mass', 'position': [0, 1.25], 'width': 0, 'height': 0}"
 
-/* A run is asked again and again, each time from a rope that is slack: it falls 0.8 m, and the rope leaves 2.4 of 4 m/s.
+/* A run is asked again and again, each time from a rope that is slack: it falls 0.8 m, and the rope leaves 2.4 of 4
+ * m/s.
  */
 static void test_slack(void)
 {

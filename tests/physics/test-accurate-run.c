@@ -146,6 +146,21 @@ static void test_not_met(void)
     g_assert_cmpfloat(run->summary->valid_until, >=, 10);
 }
 
+/* A companion that breaks down on its way leaves no estimate: the tries that are left are made, tighter. */
+static void test_goes_on_without_estimate(void)
+{
+    const PhysicsOptions options = {.method = "rk4", .duration = 12, .accuracy = 0.01, .estimate = TRUE};
+    g_autoptr(PhysicsRun) run =
+        physics_try(&options, "%s",
+                    "{'type': 'mass', 'position': [1, 0], 'velocity': [0, 0.4]},"
+                    "{'type': 'law-force', 'ends': ['Mass 0'], 'potential': '-1/sqrt(x^2+y^2)'}");
+    const GArray *tries = run->summary->tries;
+    g_assert_cmpuint(tries->len, ==, 3);
+    g_assert_true(isnan(g_array_index(tries, TinkerTry, 1).error_estimate));
+    g_assert_cmpfloat(g_array_index(tries, TinkerTry, 2).step, <, 0.2 * g_array_index(tries, TinkerTry, 1).step);
+    g_assert_true(isfinite(run->summary->error_estimate));
+}
+
 static void test_exact_needs_nothing(void)
 {
     g_autofree char *blocks = closed_form_blocks(&closed_forms[0]);
@@ -178,6 +193,7 @@ static void add_tests(void)
     g_test_add_func("/accurate-run/holds", test_holds);
     g_test_add_func("/accurate-run/shortens-by-order", test_shortens_by_order);
     g_test_add_func("/accurate-run/not-met", test_not_met);
+    g_test_add_func("/accurate-run/goes-on-without-estimate", test_goes_on_without_estimate);
     g_test_add_func("/accurate-run/exact-needs-nothing", test_exact_needs_nothing);
     g_test_add_func("/accurate-run/without-estimate", test_without_estimate);
     g_test_add_func("/accurate-run/refused", test_refused);

@@ -271,8 +271,8 @@ static gboolean pass_pending(TinkerContactRun *self, GError **error)
 {
     if (is_crowded(self))
         return tinker_island_run_fail_step(self->run,
-                                           _("contacts open and close without end there (a little friction, or a "
-                                             "restitution below 1, ends such a sequence)"),
+                                           _("contacts open and close so often there that the run would hardly end "
+                                             "(a little friction, or a restitution below 1, ends such a sequence)"),
                                            error);
     return enter_plane(self, error) && pass_trigger(self, &self->pending_trigger, error);
 }

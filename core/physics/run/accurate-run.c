@@ -51,14 +51,21 @@ static gboolean tighten(TinkerChoice *choices, guint count, double share)
     return tighter;
 }
 
+/* A try whose companion stopped where the error had passed what can be predicted has no estimate, and is off by all. */
+static double error_of(const TinkerSummary *summary, guint number)
+{
+    const double estimate = g_array_index(summary->tries, TinkerTry, number).error_estimate;
+    return isnan(estimate) ? 1 : estimate;
+}
+
 /* What share of the last errors a further try is to have. `shares` are those that led to the tries so far, the first 1.
  */
 static double wanted_share(const TinkerSummary *summary, const double *shares)
 {
     const GArray *tries = summary->tries;
-    double last = g_array_index(tries, TinkerTry, tries->len - 1).error_estimate, slope = 1;
+    double last = error_of(summary, tries->len - 1), slope = 1;
     if (tries->len > 1) {
-        double before = g_array_index(tries, TinkerTry, tries->len - 2).error_estimate;
+        double before = error_of(summary, tries->len - 2);
         slope = CLAMP(log(last / before) / log(shares[tries->len - 1]), LEAST_SLOPE, GREATEST_SLOPE);
     }
     return pow(AIM * summary->accuracy / last, 1 / slope);
@@ -120,7 +127,8 @@ static gboolean choose_again(const TinkerSimulation *simulation, TinkerChoice *c
 {
     const TinkerSummary *summary = &simulation->all->summary;
     guint number = summary->tries->len;
-    if (number == TINKER_MOST_TRIES || isnan(summary->error_estimate)) return FALSE;
+    const gboolean is_known = !isnan(summary->error_estimate) || isfinite(summary->predictable_until);
+    if (number == TINKER_MOST_TRIES || !is_known) return FALSE;
     shares[number] = wanted_share(summary, shares);
     return tighten(choices, simulation->all->runs->len, shares[number]);
 }

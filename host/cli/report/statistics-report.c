@@ -31,7 +31,9 @@ static void add_cells(TinkerTextTable *table, const TinkerChartCurve *curve, con
     for (gsize k = 0; k < G_N_ELEMENTS(rows); k++) {
         const TinkerStatistic *statistic = G_STRUCT_MEMBER_P(found, rows[k].offset);
         const char *unit = rows[k].unit == OF_CURVE ? curve->axis.unit : rows[k].unit == OF_TIME ? "s" : "";
-        g_autofree char *value = isnan(statistic->value) ? g_strdup("-") : g_strdup_printf("%.9g", statistic->value + 0.0); /* no "-0" */
+        /* 0 is written without a minus */
+        g_autofree char *value =
+            isnan(statistic->value) ? g_strdup("-") : g_strdup_printf("%.9g", 0.0 + statistic->value);
         g_autofree char *error = isnan(statistic->error) ? g_strdup("-") : g_strdup_printf("%.1g", statistic->error);
         tinker_text_table_add(table, k == 0 ? curve->name : "");
         tinker_text_table_add(table, rows[k].name);
