@@ -15,10 +15,14 @@
 
 typedef struct {
     TinkerCurveSums *sums;
-    double slope;     /* dy/dt at the end of the last piece that is not level; NAN: there is none */
-    double level;     /* y: pieces that change by less are level */
-    double since;     /* s: pieces are level from there on; NAN: the last is not */
-    double off_since; /* s */
+    double
+        slope;  /* dy/dt at the end of the last piece; where that is level, of one sign with the way there; NAN: none */
+    double way; /* y: from the last extremum in the last piece, or its start, to its end */
+    double level;     /* y: what changes by less is level */
+    double since;     /* s: the curve is level from there on; NAN: it is not */
+    double off_since; /* s: how far off that may be */
+    double at;        /* y: where it is level */
+    double unclear;   /* y: what changes by less in the last piece that is not level may be that */
     double width;     /* s: from the last sample to the next */
     double off;       /* y: of the curve there */
     gboolean is_open; /* whether no more than values at samples are known there, and the last is none of an event */
@@ -39,23 +43,33 @@ static void add_extremum(const Walk *walk, double time, double value, double off
     g_array_append_val(walk->sums->extrema, extremum);
 }
 
-/* Where the curve leaves what was level: of an extremum that is flat the middle counts. */
-static void leave_level(Walk *walk, double time, double value, double slope, double off_time)
+/* Where the curve leaves what was level, some way up or down: of an extremum that is flat the middle counts. */
+static void leave_level(Walk *walk, double time, double value, double way, double off_time)
 {
-    if (walk->slope * slope < 0)
+    if (walk->slope * way < 0)
         add_extremum(walk, 0.5 * (walk->since + time), value, 0.5 * (walk->off_since + off_time), walk->off);
     walk->since = NAN;
 }
 
+/* Where the curve comes to be level. An extremum that rounding put there is none: the level is. */
+static void enter_level(Walk *walk, const TinkerCurvePiece *piece)
+{
+    GArray *extrema = walk->sums->extrema;
+    while (extrema->len > 0 &&
+           fabs(g_array_index(extrema, TinkerExtremum, extrema->len - 1).value - piece->a) <= walk->unclear)
+        g_array_set_size(extrema, extrema->len - 1);
+    walk->since = piece->start;
+    walk->off_since = walk->is_open ? walk->width : 0;
+    walk->at = piece->a;
+    walk->slope = walk->way;
+}
+
 /* A kink between two pieces is an extremum where the curve turns back there. */
-static void add_kink(Walk *walk, const TinkerCurvePiece *piece)
+static void add_kink(const Walk *walk, const TinkerCurvePiece *piece)
 {
     const double slope = piece->b / piece->width, turn = fabs(slope - walk->slope);
     const double off_time = walk->is_open ? walk->width : 2 * walk->off / turn;
-    if (!isnan(walk->since))
-        leave_level(walk, piece->start, piece->a, slope, walk->is_open ? walk->width : 0);
-    else if (walk->slope * slope < 0)
-        add_extremum(walk, piece->start, piece->a, off_time, walk->off);
+    if (walk->slope * slope < 0) add_extremum(walk, piece->start, piece->a, off_time, walk->off);
 }
 
 /* Straight up or down, at one time. Each of its ends may be an extremum. */
@@ -69,7 +83,7 @@ static void add_jump(Walk *walk, double time, double before, double behind)
         walk->off_since = 0;
     }
     leave_level(walk, time, before, behind - before, 0);
-    walk->slope = behind - before;
+    walk->slope = walk->way = behind - before;
 }
 
 /* Where a curve of this y'' is level moves by as much as its slope is off over y''. */
@@ -98,12 +112,41 @@ static void add_piece(const Walk *walk, const TinkerCurvePiece *piece, double fr
     note(walk, tinker_curve_piece_value(piece, to), walk->off);
 }
 
-static void add_roots(const Walk *walk, const TinkerCurvePiece *piece, double from, double to)
+/* The extrema within a piece, but for what rounding makes of a start that is `level`; notes the way from the last one.
+ */
+static void add_roots(Walk *walk, const TinkerCurvePiece *piece, double from, double to, gboolean level)
+{
+    const double end = tinker_curve_piece_value(piece, to);
+    double roots[2], last = tinker_curve_piece_value(piece, from);
+    tinker_curve_piece_level(piece, roots);
+    for (int k = 0; k < 2; k++) {
+        if (!(roots[k] > from && roots[k] <= to)) continue;
+        const double value = tinker_curve_piece_value(piece, roots[k]);
+        if (level && fabs(value - piece->a) <= walk->unclear) continue;
+        add_root(walk, piece, roots[k]);
+        if (fabs(value - end) > walk->unclear) last = value;
+    }
+    walk->way = end - last;
+}
+
+/* y: the way on from the start of a piece to the first extremum within it that is away from there, or to its end. */
+static double way_out(const Walk *walk, const TinkerCurvePiece *piece)
 {
     double roots[2];
     tinker_curve_piece_level(piece, roots);
-    for (int k = 0; k < 2; k++)
-        if (roots[k] > from && roots[k] <= to) add_root(walk, piece, roots[k]);
+    for (int k = 0; k < 2; k++) {
+        if (!(roots[k] > 0 && roots[k] < 1)) continue;
+        const double way = tinker_curve_piece_value(piece, roots[k]) - piece->a;
+        if (fabs(way) > walk->unclear) return way;
+    }
+    return tinker_curve_piece_value(piece, 1) - piece->a;
+}
+
+/* Whether a piece changes by no more than rounding, and is where the curve has been level, if it has. */
+static gboolean is_level(const Walk *walk, const TinkerCurvePiece *piece)
+{
+    const double change = fabs(piece->b) + fabs(piece->c) + fabs(piece->d);
+    return change <= walk->level && (isnan(walk->since) || fabs(piece->a - walk->at) + change <= walk->level);
 }
 
 /* What of a piece lies between the two times. */
@@ -113,16 +156,18 @@ static void add_part(Walk *walk, const TinkerCurvePiece *piece, double from, dou
                  end = fmin(1, (to - piece->start) / piece->width);
     if (!(start < end)) return;
     add_piece(walk, piece, start, end);
-    if (fabs(piece->b) + fabs(piece->c) + fabs(piece->d) <= walk->level) {
-        if (!isnan(walk->since)) return;
-        walk->since = piece->start;
-        walk->off_since = walk->is_open ? walk->width : 0;
+    const gboolean was_level = !isnan(walk->since);
+    if (is_level(walk, piece)) {
+        if (!was_level) enter_level(walk, piece);
         return;
     }
-    if (start == 0) add_kink(walk, piece);
-    add_roots(walk, piece, start, end);
+    walk->unclear = fmax(walk->level, walk->off);
+    if (was_level)
+        leave_level(walk, piece->start, piece->a, way_out(walk, piece), walk->is_open ? walk->width : 0);
+    else if (start == 0)
+        add_kink(walk, piece);
+    add_roots(walk, piece, start, end, was_level);
     walk->slope = tinker_curve_piece_end_slope(piece);
-    walk->since = NAN;
 }
 
 /* Extrema that are no ripple: a way back that is too small, or less than what is open between samples, takes both its
@@ -154,6 +199,7 @@ static void drop_uncertain_ends(GArray *extrema, double band)
     if (first > 0) g_array_remove_range(extrema, 0, first);
 }
 
+/* y: what is no change, between the two times. */
 static double level_of(const TinkerCurveSamples *samples, double from, double to)
 {
     double least = INFINITY, greatest = -INFINITY;
@@ -173,7 +219,7 @@ TinkerCurveSums tinker_curve_sums(const TinkerCurveSamples *samples, const doubl
                             .below = INFINITY,
                             .above = -INFINITY,
                             .extrema = g_array_new(FALSE, FALSE, sizeof(TinkerExtremum))};
-    Walk walk = {.sums = &sums, .slope = NAN, .level = level_of(samples, from, to), .since = NAN};
+    Walk walk = {.sums = &sums, .slope = NAN, .way = NAN, .level = level_of(samples, from, to), .since = NAN};
     for (gsize i = 0; i + 1 < samples->count; i++) {
         const double start = samples->times[i], end = samples->times[i + 1];
         if (start == end && start > from && start < to)

@@ -130,7 +130,7 @@ static gboolean falls_by_amount(const GArray *extrema, double off_line)
     const guint ways = extrema->len - 1;
     g_autofree double *lengths = g_new(double, ways);
     double squares = 0, sum = 0;
-    if (ways < 3 || off_line < STRAIGHT) return FALSE;
+    if (off_line < STRAIGHT) return FALSE;
     for (guint i = 0; i < ways; i++)
         sum += lengths[i] = tinker_extremum_way(extrema, i);
     farthest(lengths, ways, slope_of(lengths, ways), &squares);

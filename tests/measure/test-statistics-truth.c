@@ -19,6 +19,7 @@ typedef struct {
     double complex size[TERMS], rate[TERMS];
     double lasts, swing;      /* s: all of it, and the shortest swing in it */
     double period, decrement; /* NAN: none may be shown */
+    gboolean open;            /* well sampled as well it may be left open */
 } Signal;
 
 static double triangle(double t)
@@ -63,6 +64,11 @@ static double half_wave(double t)
     return fmax(sin(t), 0);
 }
 
+static double level_then_parabola(double t)
+{
+    return pow(fmax(sin(t), 0), 2);
+}
+
 static double flat_both_ways(double t)
 {
     return fmax(-0.3, fmin(0.6, sin(t) + 0.2 * sin(2 * t)));
@@ -92,6 +98,7 @@ static const Signal signals[] = {
     {"clipped", clipped, {0}, {0}, 40, TURN / 4, TURN, 0},
     {"flat-topped", flat_topped, {0}, {0}, 40, TURN / 4, TURN, 0},
     {"half wave", half_wave, {0}, {0}, 40, TURN / 4, TURN, 0},
+    {"level, then a parabola", level_then_parabola, {0}, {0}, 40, TURN / 4, TURN, 0, TRUE},
     {"flat both ways", flat_both_ways, {0}, {0}, 40, TURN / 4, TURN, 0},
 };
 
@@ -165,7 +172,7 @@ static void check_part(const Signal *signal, double samples, gsize count, const 
     check(signal, samples, "amplitude", s.amplitude, 0.5 * range, slack);
     check(signal, samples, "period", s.period, signal->period, 1e-12 * signal->period);
     check(signal, samples, "decrement", s.decrement, signal->decrement, 1e-12);
-    if (samples < 100) return;
+    if (samples < 100 || signal->open) return;
     /* no excuse: what is well sampled is known well */
     g_assert_cmpfloat(s.mean.error, <, 1e-3 * range);
     g_assert_cmpfloat(s.amplitude.error, <, 5e-3 * range);

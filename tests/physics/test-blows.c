@@ -237,8 +237,46 @@ static void test_rolls_at_once(void)
     contact_assert_count(run, "slip", 0);
 }
 
+/* A ball comes to a wall at the very instant at which another one is struck, and rebounds as at any other. */
+static void test_at_an_impact(void)
+{
+    g_autoptr(PhysicsRun) run =
+        physics_run(&(PhysicsOptions){.duration = 3, .columns = "Disc 0.vx, Disc 0.x, Disc 1.vx"},
+                    "{'type': 'support', 'position': [3, 0], 'orientation': '90 deg', 'restitution': 1},"
+                    "{'type': 'disc', 'mass': 1, 'radius': 0.25, 'position': [0.55, 0], 'velocity': [1, 0]},"
+                    "{'type': 'disc', 'mass': 1, 'radius': 0.25, 'position': [0, 3]},"
+                    "{'type': 'impulse', 'ends': ['Disc 1'], 'impulse': 1, 'time': 2}");
+    physics_assert_near("speed", physics_last(run, 0), -1, 1e-12);
+    physics_assert_near("place", physics_last(run, 1), 1.55, 1e-12);
+    physics_assert_near("other", physics_last(run, 2), 1, 1e-12);
+}
+
+/* Three balls that touch, e = 1, the first struck by 1 N s: by Newton's law they go on together; by Poisson's the same
+ * impulses that bring them to one speed, 2/3 and 1/3, act once more; in sequence the blow runs through to the last. */
+static void test_by_laws(void)
+{
+    static const struct {
+        const char *law;
+        double v[3];
+    } cases[] = {
+        {"newton", {1.0 / 3, 1.0 / 3, 1.0 / 3}}, {"poisson", {-1.0 / 3, 2.0 / 3, 2.0 / 3}}, {"sequential", {0, 0, 1}}};
+    for (gsize i = 0; i < G_N_ELEMENTS(cases); i++) {
+        PhysicsOptions options = {.columns = "Disc 0.vx, Disc 1.vx, Disc 2.vx", .impact_law = cases[i].law};
+        g_autoptr(PhysicsRun) run =
+            physics_run(&options, "%s",
+                        "{'type': 'disc', 'mass': 1, 'radius': 0.25, 'restitution': 1, 'position': [0, 0]},"
+                        "{'type': 'disc', 'mass': 1, 'radius': 0.25, 'restitution': 1, 'position': [0.5, 0]},"
+                        "{'type': 'disc', 'mass': 1, 'radius': 0.25, 'restitution': 1, 'position': [1, 0]},"
+                        "{'type': 'impulse', 'ends': ['Disc 0'], 'impulse': 1, 'time': 0.5}");
+        for (gsize k = 0; k < 3; k++)
+            physics_assert_near(cases[i].law, physics_last(run, k), cases[i].v[k], 1e-9);
+    }
+}
+
 static void add_tests(void)
 {
+    g_test_add_func("/blows/at-an-impact", test_at_an_impact);
+    g_test_add_func("/blows/by-laws", test_by_laws);
     g_test_add_func("/blows/free-bar", test_free_bar);
     g_test_add_func("/blows/ends-of-a-run", test_ends_of_a_run);
     g_test_add_func("/blows/turning", test_turning_blows);

@@ -339,8 +339,27 @@ static void test_wall(void)
     g_assert_cmpfloat(last, <, 2e-3);
 }
 
+/* Whatever the masses: v1 = (m1 - m2) / (m1 + m2) v, v2 = 2 m1 / (m1 + m2) v, whose work on the contact is 0, which
+ * rounding must not take for a gain. */
+static void test_elastic(void)
+{
+    for (int i = 1; i <= 20; i++) {
+        const double m = 0.3 * i, v = 1.9;
+        g_autoptr(PhysicsRun) run = physics_run(
+            &(PhysicsOptions){.duration = 3, .step = 0.001, .impulses = TRUE, .columns = "Mass 0.vx, Mass 1.vx"},
+            "{'type': 'mass', 'mass': 3.2, 'width': 0.2, 'height': 0.2, 'position': [-1, 0], 'velocity': [%g, 0],"
+            " 'collides': true, 'restitution': 1, 'static_friction': 0, 'dynamic_friction': 0},"
+            "{'type': 'mass', 'mass': %.17g, 'width': 0.2, 'height': 0.2, 'position': [0.5, 0],"
+            " 'collides': true, 'restitution': 1, 'static_friction': 0, 'dynamic_friction': 0}",
+            v, m);
+        physics_assert_near("one", physics_last(run, 0), (3.2 - m) / (3.2 + m) * v, 1e-9);
+        physics_assert_near("other", physics_last(run, 1), 6.4 / (3.2 + m) * v, 1e-9);
+    }
+}
+
 static void add_tests(void)
 {
+    g_test_add_func("/physics/impulse/elastic", test_elastic);
     g_test_add_func("/physics/impulse/fall", test_fall);
     g_test_add_func("/physics/impulse/rests", test_rests);
     g_test_add_func("/physics/impulse/slides", test_slides);

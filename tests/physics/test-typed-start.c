@@ -69,6 +69,9 @@ static void test_turns_against_motion(void)
         "{'type': 'mass', 'velocity': [2, 0]}, {'type': 'law-force', 'ends': ['Mass 0'], 'force_x': '-vx/abs(vx)'}",
         "{'type': 'mass', 'velocity': [2, 0]}, {'type': 'law-force', 'ends': ['Mass 0'], 'force_x': '1-2*step(vx)'}",
         "{'type': 'mass', 'velocity': [4, 0]}, {'type': 'law-force', 'ends': ['Mass 0'], 'force_x': '1-3*(vx>0)'}",
+        /* beside breaks, and small beside what it rides on */
+        "{'type': 'mass', 'velocity': [2, 0]}, {'type': 'law-force', 'ends': ['Mass 0'], 'force_x': '-100-vx/abs(vx)'},"
+        "{'type': 'motor', 'ends': ['Mass 0'], 'waveform': {'expression': '100+1e-3*square(1e3*t)'}}",
     };
     static const char *const methods[] = {"auto", "dopri5", "dop853", "cvode-bdf"};
     for (gsize i = 0; i < G_N_ELEMENTS(blocks) * G_N_ELEMENTS(methods); i++) {
@@ -83,11 +86,16 @@ static void test_turns_against_motion(void)
 static void test_jumps_on_the_way(void)
 {
     PhysicsOptions options = {.method = "dopri5", .duration = 1, .columns = "Mass 0.x, Mass 0.vx"};
-    g_autoptr(PhysicsRun) run =
-        physics_run(&options, "%s",
-                    "{'type': 'mass', 'mass': 1e6, 'velocity': [1, 0]},"
-                    "{'type': 'law-force', 'ends': ['Mass 0'], 'force_x': '2*step(sin(1e4*x))'}");
+    static const char blocks[] = "{'type': 'mass', 'mass': 1e6, 'velocity': [1, 0]},"
+                                 "{'type': 'law-force', 'ends': ['Mass 0'], 'force_x': '2*step(sin(1e4*x))'}";
+    g_autoptr(PhysicsRun) run = physics_run(&options, "%s", blocks);
     physics_assert_near("speed", physics_last(run, 1), 1 + 1e-6, 1e-9);
+    /* nor where most of the run is to come */
+    options.duration = 1000;
+    g_autoptr(PhysicsRun) begun = physics_prepare(&options, "%s", blocks);
+    g_autoptr(GError) error = NULL;
+    for (int step = 0; step < 20000; step++)
+        g_assert_true(tinker_simulation_step(begun->simulation, &error));
 }
 
 static void add_tests(void)

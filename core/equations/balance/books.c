@@ -22,7 +22,6 @@ static void begin_again(void *data)
 {
     TinkerBookKeeper *keeper = data;
     keeper->next = 0;
-    g_array_set_size(keeper->jolts, 0);
     for (guint i = 0; i < keeper->accounts->len; i++)
         g_array_index(keeper->accounts, TinkerBookAccount, i) = (TinkerBookAccount){.entry = {.by = -1}};
     g_array_set_size(keeper->books->impacts, 0);

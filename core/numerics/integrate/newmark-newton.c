@@ -109,7 +109,7 @@ static TinkerStatus solve(NewmarkStepper *self, double limit)
  * `most` where they are what is asked for, as on rows of constraints near a singular place. */
 typedef struct {
     double least, most;
-    int is_much; /* most, beside the accelerations: an iteration that ends there may leave the same in each step */
+    int adds_up; /* most, beside the accelerations: an iteration that ends there may leave the same in each step */
 } Rounding;
 
 /* All norms in one loop, so that no sum waits for itself alone. */
@@ -212,16 +212,16 @@ TinkerStatus newmark_find_acceleration(NewmarkStepper *self, const TinkerState *
             size = self->moving;
         }
         double gain = first ? 1.0 : size / progress.size;
-        Rounding of = rounding(self, h);
+        Rounding noise = rounding(self, h);
         if (status != TINKER_OK || !(size < progress.size)) {
             /* what is left over may be rounding of large, balanced forces */
-            if (progress.sharp && progress.size < 1e4 * of.most) return place(self, state, h, limit);
+            if (progress.sharp && progress.size < 1e4 * noise.most) return place(self, state, h, limit);
             if (!retreat(self, &progress)) return TINKER_RETRY_SMALLER;
             continue;
         }
         advance(self, &progress, size, sharp);
-        if (self->linear || is_nothing(size, gain, of.most)) {
-            if (of.is_much && !is_nothing(self->moving, gain, of.least)) self->factored = 0;
+        if (self->linear || is_nothing(size, gain, noise.most)) {
+            if (!self->linear && noise.adds_up && !is_nothing(self->moving, gain, noise.least)) self->factored = 0;
             return place(self, state, h, limit);
         }
         if (!first && gain > TINKER_SLOW_NEWTON) self->factored = 0;

@@ -130,9 +130,9 @@ static gboolean check_accelerations(TinkerModel *model, GError **error)
     return TRUE;
 }
 
-/* Rows that hold in one direction only are slack until a run asks which of them are not, but for what is stretched:
- * that is brought back with the start positions. */
-static void tighten_stretched(TinkerModel *model)
+/* Of rows that hold in one direction only, those that are stretched: they are brought back with the start positions. A
+ * run asks which of the others hold. */
+static void hold_stretched_only(TinkerModel *model)
 {
     const TinkerConstraints *all = &model->constraints;
     for (int32_t row = 0; all->unilateral != NULL && row < all->rows; row++)
@@ -150,7 +150,7 @@ gboolean tinker_model_check_start(TinkerModel *model, GError **error)
     if (!tinker_start_check_positions(model, error)) return FALSE;
     tinker_constraints_find_redundant(model);
     gboolean moved;
-    tighten_stretched(model);
+    hold_stretched_only(model);
     if (tinker_constraints_project_positions(model, 0.0, model->q_start, model->v_start, &moved) != TINKER_OK)
         return run_error(model, TINKER_MODEL_ERROR_CONTRADICTION, error);
     tinker_constraints_set_all_slack(model, TRUE);

@@ -67,7 +67,7 @@ double tinker_constraints_worst_miss(const TinkerModel *model);
 int32_t tinker_constraints_worst_row(const TinkerModel *model);
 /* Of rows that hold in one direction only: whether one acts from the next evaluation on. */
 void tinker_constraints_set_slack(TinkerModel *model, int32_t row, gboolean slack);
-/* The same of all of them. */
+/* Makes all rows that hold in one direction only slack, or none. */
 void tinker_constraints_set_all_slack(TinkerModel *model, gboolean slack);
 /* Whether it acts or not, for the rows evaluated last: dg/dt with the velocities in the points; J x of bodies alone (2
  * per body); and what d2g/dt2 is beside J a of the bodies. */

@@ -114,10 +114,9 @@ static gboolean bring_model(const TinkerIslandRun *run)
 static void slacken(TinkerModel *model, gboolean *were)
 {
     const TinkerConstraints *all = &model->constraints;
-    for (int32_t row = 0; all->unilateral != NULL && row < all->rows; row++) {
-        were[row] = all->slack[row];
-        if (all->unilateral[row]) tinker_constraints_set_slack(model, row, TRUE);
-    }
+    if (all->unilateral == NULL) return;
+    memcpy(were, all->slack, (gsize)all->rows * sizeof *were);
+    tinker_constraints_set_all_slack(model, TRUE);
 }
 
 static void tighten(TinkerModel *model, const gboolean *were)
@@ -175,7 +174,6 @@ static gboolean act(Blow *blow, GError **error)
 {
     TinkerIslandRun *run = blow->run;
     const gsize bytes = (gsize)run->model->coordinates * sizeof(double);
-    if (run->contacts != NULL && !tinker_contact_run_open_blow(run->contacts, error)) return FALSE;
     memcpy(blow->before, run->state.v, bytes);
     if (!answer_by_joints(blow)) return tinker_island_run_fail(run, run->model->failure, error);
     memcpy(blow->held, run->state.v, bytes);
@@ -200,6 +198,7 @@ gboolean tinker_island_run_strike(TinkerIslandRun *run, GError **error)
             room = g_new0(double, 3 * n);
             blow = (Blow){run, FALSE, room, room + n, room + 2 * n};
             tinker_island_run_place(run);
+            if (run->contacts != NULL && !tinker_contact_run_open_blow(run->contacts, error)) return FALSE;
             if (!bring_model(run)) return tinker_island_run_fail(run, model->failure, error);
         }
         if (!ask(&blow, batch, element)) return tinker_island_run_fail(run, model->failure, error);

@@ -365,13 +365,14 @@ static gboolean strike(TinkerContactChange *change, gboolean again, GError **err
     if (tinker_contact_laws_init(&laws, change) != TINKER_OK)
         return tinker_change_refuse(change, change->model->failure, error);
     const double fastest = fastest_approach(change);
-    const gboolean blow = change->trigger.kind == TINKER_TRIGGER_BLOW; /* what closes did not approach before it */
-    g_autofree double *driven = g_new(double, MAX(laws.count, 1));     /* as fast as anything approaches, at most */
+    /* what closes then did not approach before, and does not rebound by Newton's law */
+    const gboolean driven_by_block = change->trigger.kind == TINKER_TRIGGER_BLOW;
+    g_autofree double *driven = g_new(double, MAX(laws.count, 1)); /* as fast as anything approaches, at most */
     for (guint i = 0; i < laws.count; i++) {
         const TinkerContactPlace *place = &tinker_touch(change, i)->place;
         laws.pairs[2 * i] = place->normal_speed;
         laws.pairs[2 * i + 1] = place->tangential_speed;
-        laws.first[i] = again || blow ? 0 : seen_restitution(change, i, -place->normal_speed);
+        laws.first[i] = again || driven_by_block ? 0 : seen_restitution(change, i, -place->normal_speed);
         driven[i] = again ? 0 : seen_restitution(change, i, fastest);
         /* the friction of a pin is left out of blows */
         laws.second[i] = tinker_touch_is_pin(change, i) ? 0 : tinker_touch_surface(change, i).dynamic_friction;

@@ -80,6 +80,7 @@ struct _TinkerContactRun {
     gboolean expects; /* the hint is when a contact should close, and the step goes there for the first time */
     gboolean passed;  /* an event, since the last step */
     gboolean carried; /* the state is behind where the method's step, and dense output with it, ends */
+    double size;      /* m: of what is stepped, as it starts */
     double usual;     /* s: the length of the last step that ended where its method had it end */
     /* m/s: up to here nothing can come near anything in this step, whose start was not kept; 0: it was */
     double speed_bound;

@@ -224,7 +224,10 @@ gboolean tinker_contact_run_start(TinkerContactRun *self, GError **error)
 {
     TinkerIslandRun *run = self->run;
     TinkerTrigger none = {.kind = TINKER_TRIGGER_NONE, .row = -1};
+    double speed;
     tinker_island_run_place(run);
+    run->system.system.scales(&run->system, run->state.q, run->state.v, &self->size, &speed);
+    self->size += self->contacts->thickness;
     if (tinker_model_set_time(self->model, 0.0) != TINKER_OK)
         return tinker_island_run_fail(run, self->model->failure, error);
     tinker_model_set_state(self->model, run->q, run->v);

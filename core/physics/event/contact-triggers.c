@@ -365,10 +365,9 @@ static double force_rounding(const TinkerContactRun *self, const TinkerTrigger *
 
 /* m/s^2: what turning by the rounding of a speed makes of accelerations. Where no other force acts, as on what has met
  * and goes on together, nothing but this presses. */
-static double rounding_of_turning(const TinkerContactRun *self, const TinkerTrigger *trigger, double speed)
+static double rounding_of_turning(const TinkerContactRun *self, double speed)
 {
-    const double place = tinker_trigger_place_rounding(self, trigger) / TINKER_PLACE_ROUNDING;
-    return place > 0 ? TINKER_TURNING_ROUNDING * speed * speed / place : 0;
+    return self->size > 0 ? TINKER_TURNING_ROUNDING * speed * speed / self->size : 0;
 }
 
 double tinker_trigger_level(const TinkerContactRun *self, const TinkerTrigger *trigger, double speed)
@@ -382,10 +381,10 @@ double tinker_trigger_level(const TinkerContactRun *self, const TinkerTrigger *t
         return -tinker_contact_run_speed_noise(self) * speed;
     case TINKER_TRIGGER_LEAVING:
     case TINKER_TRIGGER_STARTING:
-        return -acceleration_noise(self) * acceleration_scale(self, trigger) -
-               rounding_of_turning(self, trigger, speed);
+        return -acceleration_noise(self) * acceleration_scale(self, trigger) - rounding_of_turning(self, speed);
+    case TINKER_TRIGGER_NORMAL:
+        return -force_rounding(self, trigger) - self->model->mass[trigger->body] * rounding_of_turning(self, speed);
     default:
-        return -force_rounding(self, trigger) -
-               self->model->mass[trigger->body] * rounding_of_turning(self, trigger, speed);
+        return -force_rounding(self, trigger);
     }
 }

@@ -34,7 +34,8 @@ typedef struct {
     int count;
     TinkerLawArgument arguments[TINKER_TYPED_MOST_ARGUMENTS];
     TinkerLawMissed missed; /* the most; 0: nothing */
-    int jumps;              /* one after the other, in steps that are tiny */
+    int jumps;              /* steps with a jump in them, counted since: */
+    double jumps_from;      /* s */
 } TinkerLawForce;
 
 /* All of a model that are not gentle over any box. Element: TinkerLawForce. (transfer full) */

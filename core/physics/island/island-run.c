@@ -34,7 +34,7 @@ void tinker_island_run_name_method(TinkerIslandRun *run)
 void tinker_island_run_open_state(TinkerIslandRun *run)
 {
     TinkerModel *model = run->model;
-    tinker_constraints_set_all_slack(model, TRUE); /* whatever a run before it left */
+    tinker_constraints_set_all_slack(model, TRUE); /* a run before this one may have left others */
     gsize n = (gsize)MAX(model->coordinates, 1);
     tinker_model_system_init(&run->system, run->model, run->island->linear);
     run->room = g_new0(double, 6 * n + (gsize)run->system.system.books + 1);

@@ -6,8 +6,8 @@
 
 #include "physics/force/law-paths.h"
 
-/* Looks at a step that is made, with `left` (s) of the piece before it: TRUE where the law has jumped back and forth so
- * often in steps so short that the run would hardly end. */
-gboolean tinker_law_chatters(TinkerLawForce *law, const TinkerLawStep *step, double left);
+/* Looks at a step that is made: TRUE where the law jumps back and forth so often that the run would hardly come to its
+ * `end` (s). */
+gboolean tinker_law_chatters(TinkerLawForce *law, const TinkerLawStep *step, double end);
 
 #endif

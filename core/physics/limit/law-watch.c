@@ -38,6 +38,7 @@ struct _TinkerLawWatch {
     double work, error;      /* of projections, where the step began */
     double most;             /* s: the next step goes no farther; INFINITY */
     double speed;            /* m/s: of the fastest, where the laws are looked at */
+    double end;              /* s: of the run; 0 at first */
     double usual;            /* s: how long steps were lately, however short they are now */
 };
 
@@ -67,6 +68,11 @@ void tinker_law_watch_free(TinkerLawWatch *self)
     g_free(self->points);
     g_free(self->room);
     g_free(self);
+}
+
+void tinker_law_watch_set_end(TinkerLawWatch *self, double end)
+{
+    self->end = end;
 }
 
 /* Looking ---------------------------------------------------------------------------------------------------------- */
@@ -284,12 +290,12 @@ static TinkerStatus step_in_group(TinkerLawWatch *self, double limit, TinkerStep
 }
 
 /* Behind a step: stops a run whose law jumps back and forth without end. */
-static TinkerStatus look_for_chatter(TinkerLawWatch *self, double end)
+static TinkerStatus look_for_chatter(TinkerLawWatch *self)
 {
     const TinkerLawStep step = step_of(self, 0, 1);
     for (guint i = 0; i < self->forces->len; i++) {
         TinkerLawForce *law = &g_array_index(self->forces, TinkerLawForce, i);
-        if (!tinker_law_chatters(law, &step, end - step.from)) continue;
+        if (!tinker_law_chatters(law, &step, self->end)) continue;
         tinker_model_tell_failure(
             self->model,
             _("%s: its law jumps back and forth in steps of %.3g s, as a force does that turns against the motion "
@@ -306,7 +312,6 @@ static TinkerStatus step_adaptively(TinkerLawWatch *self, double limit, TinkerSt
 {
     TinkerIslandRun *run = self->run;
     const double from = run->state.t, least = TINKER_LAW_LEAST * fmax(from, limit - from);
-    const double end = limit;
     TinkerStatus status = begin(self);
     self->times[0] = from;
     limit = fmin(limit, from + self->most);
@@ -321,7 +326,7 @@ static TinkerStatus step_adaptively(TinkerLawWatch *self, double limit, TinkerSt
         if (share >= 1) {
             self->most = 2 * fmax(h, self->most);
             self->usual = fmax(h, TINKER_LAW_FADING * self->usual);
-            return look_for_chatter(self, end);
+            return look_for_chatter(self);
         }
         status = go_back(self);
         self->most = share * h;

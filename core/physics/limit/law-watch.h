@@ -14,6 +14,9 @@ typedef struct _TinkerLawWatch TinkerLawWatch;
 TinkerLawWatch *tinker_law_watch_new(TinkerIslandRun *run);
 void tinker_law_watch_free(TinkerLawWatch *self);
 
+/* Until when the run goes (s): laws that would keep it from there stop it. */
+void tinker_law_watch_set_end(TinkerLawWatch *self, double end);
+
 /* tinker_island_run_make_step, watched. */
 TinkerStatus tinker_law_watch_step(TinkerLawWatch *self, double limit, TinkerStepReport *report);
 

@@ -30,11 +30,9 @@
 #define TINKER_LAW_FADING 0.9
 /* No unit; of the time, or of a step: shorter ones are not divided for what a typed law does in them. */
 #define TINKER_LAW_LEAST 1e-11
-/* No unit; of the time that is left: a law that jumps back and forth in shorter steps would need more than a million.
- * Held by: physics-typed-start. */
-#define TINKER_LAW_CHATTERS 1e-6
-/* No unit; of the larger of two forces: how far a law goes from one to the other in a jump. Held by: -. */
-#define TINKER_LAW_JUMP 0.1
+/* No unit; of the larger of two forces: how far a law goes from one to the other in a jump. Held by:
+ * physics-typed-start. */
+#define TINKER_LAW_JUMP 1e-3
 /* No unit; of the extent: ends so near to each other are at one place but for rounding. */
 #define TINKER_DIRECTION_ROUNDING 1e-13
 /* No unit; of the extent: ends that are exactly at one place are parted by so much. */

@@ -33,7 +33,7 @@ typedef struct {
      * (`error` is NAN then), on whatever thread that is: the run may be far ahead. May be NULL. */
     void (*found)(const TinkerFound *found, void *data);
     void *data;    /* of the three */
-    GArray *jolts; /* of TinkerJolt (constraint/jolts.h): what gives bodies impulses is added here; or NULL. Borrowed */
+    GArray *jolts; /* of TinkerJolt (constraint/jolts.h): what gives bodies impulses, in place of what is there; or NULL */
 } TinkerRunOptions;
 
 /* The scene's own settings. Strings are borrowed from it. */

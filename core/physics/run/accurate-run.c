@@ -86,14 +86,14 @@ static gboolean is_met(const TinkerSummary *summary)
 static void explain_miss(const TinkerSummary *summary, GError **error)
 {
     gboolean at_rounding = summary->tries->len < TINKER_MOST_TRIES;
-    if (isnan(summary->error_estimate))
-        g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_ACCURACY,
-                    _("the accuracy of %g is not held: there is no error estimate to hold to it"), summary->accuracy);
-    else if (isfinite(summary->predictable_until))
+    if (isfinite(summary->predictable_until))
         g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_ACCURACY,
                     _("the accuracy of %g is not met: the motion is not predictable beyond t = %.6g s at the tightest "
                       "settings tried (a shorter run can be)"),
                     summary->accuracy, summary->predictable_until);
+    else if (isnan(summary->error_estimate))
+        g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_ACCURACY,
+                    _("the accuracy of %g is not held: there is no error estimate to hold to it"), summary->accuracy);
     else
         g_set_error(error, TINKER_MODEL_ERROR, TINKER_MODEL_ERROR_ACCURACY,
                     at_rounding ? _("the accuracy of %g is not met: the estimated error is %.2g, and rounding leaves "

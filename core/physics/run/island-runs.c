@@ -77,6 +77,7 @@ TinkerIslandRuns *tinker_island_runs_new(TinkerModel *model, const TinkerRunOpti
                                          const TinkerChoice *choices, GError **error)
 {
     if (!check_times(options, error)) return NULL;
+    if (options->jolts != NULL) g_array_set_size(options->jolts, 0);
     g_autoptr(TinkerIslandRuns) self = g_new0(TinkerIslandRuns, 1);
     gsize n = (gsize)MAX(model->coordinates, 1);
     self->model = model;

@@ -236,6 +236,7 @@ gboolean tinker_island_run_step(TinkerIslandRun *run, double end, GError **error
     run->model->constraints.gave_way = FALSE;
     double from = state->t, limit = step_limit(run, end);
     if (is_at_pole(run, limit)) return fail_at_pole(run, error);
+    if (run->laws != NULL) tinker_law_watch_set_end(run->laws, end);
     TinkerStatus status = step_once(run, limit, &report);
     gboolean failed = status != TINKER_OK || is_hopeless(run, state->t - from, end - state->t);
     if (failed && is_near_pole(run)) return fail_at_pole(run, error);

@@ -23,7 +23,7 @@ TinkerScene *tinker_frame_scene(const TinkerFrame *frame);
 double tinker_frame_time(const TinkerFrame *frame);
 
 /* t; or, where what t alone switches does so there, the time next to it at which an expression is on the side that
- * holds from t on. Time is to be set behind this. */
+ * holds from t on. Set the time after this call, which moves the search for breaks. */
 double tinker_frame_time_behind(TinkerFrame *frame, double t);
 /* Goes to time t: waveform columns are evaluated there, and supports stand where their motions have them. Bodies that
  * can move stay where they are until tinker_frame_place moves them. */
