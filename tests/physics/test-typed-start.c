@@ -62,6 +62,10 @@ static void test_beside_others(void)
                     0.1 * (1 - cos(w)), 0.1 * w * sin(w), 1e-8);
 }
 
+#define RIDES_ON_BREAKS                                                                                                \
+    "{'type': 'mass', 'velocity': [2, 0]}, {'type': 'law-force', 'ends': ['Mass 0'], 'force_x': '-100-vx/abs(vx)'},"   \
+    "{'type': 'motor', 'ends': ['Mass 0'], 'waveform': {'expression': '100+1e-3*square(1e3*t)'}}"
+
 /* At rest these have no motion: they would keep a run busy for hours. */
 static void test_turns_against_motion(void)
 {
@@ -70,8 +74,7 @@ static void test_turns_against_motion(void)
         "{'type': 'mass', 'velocity': [2, 0]}, {'type': 'law-force', 'ends': ['Mass 0'], 'force_x': '1-2*step(vx)'}",
         "{'type': 'mass', 'velocity': [4, 0]}, {'type': 'law-force', 'ends': ['Mass 0'], 'force_x': '1-3*(vx>0)'}",
         /* beside breaks, and small beside what it rides on */
-        "{'type': 'mass', 'velocity': [2, 0]}, {'type': 'law-force', 'ends': ['Mass 0'], 'force_x': '-100-vx/abs(vx)'},"
-        "{'type': 'motor', 'ends': ['Mass 0'], 'waveform': {'expression': '100+1e-3*square(1e3*t)'}}",
+        RIDES_ON_BREAKS,
     };
     static const char *const methods[] = {"auto", "dopri5", "dop853", "cvode-bdf"};
     for (gsize i = 0; i < G_N_ELEMENTS(blocks) * G_N_ELEMENTS(methods); i++) {

@@ -45,8 +45,8 @@
 #define TINKER_LET_GO 1e-7
 /* No unit; of what a force or an acceleration is made of: below 0 by no more it has not fallen. */
 #define TINKER_FORCE_ROUNDING 1e-11
-/* No unit; of the square of the fastest by the size of what moves: an acceleration that is made of squares of roundings.
- * Held by: physics-contact-flush. */
+/* No unit; of the square of the fastest by the size of what moves: an acceleration that is made of squares of
+ * roundings. Held by: physics-contact-flush. */
 #define TINKER_TURNING_ROUNDING 1e-24
 /* No unit; of the coordinates that a place is made of: below 0 by no more it has not fallen. */
 #define TINKER_PLACE_ROUNDING (16 * DBL_EPSILON)
