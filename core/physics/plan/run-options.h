@@ -32,8 +32,9 @@ typedef struct {
     /* Called for each sample, in their order, as soon as the companion has come there, and where it stops on the way
      * (`error` is NAN then), on whatever thread that is: the run may be far ahead. May be NULL. */
     void (*found)(const TinkerFound *found, void *data);
-    void *data;    /* of the three */
-    GArray *jolts; /* of TinkerJolt (constraint/jolts.h): what gives bodies impulses, in place of what is there; or NULL */
+    void *data; /* of the three */
+    GArray
+        *jolts; /* of TinkerJolt (constraint/jolts.h): what gives bodies impulses, in place of what is there; or NULL */
 } TinkerRunOptions;
 
 /* The scene's own settings. Strings are borrowed from it. */
