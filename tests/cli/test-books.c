@@ -242,6 +242,22 @@ static void test_blow_at_start(CliFixture *fixture, gconstpointer data)
     assert_answer(fixture, thrown, "books @scene.json --to 0.1 --as json", bounced, G_N_ELEMENTS(bounced));
 }
 
+/* A blow at time 0 of a run that takes two tries: the first is off by all, the second to 1e-7. 0.4 N s on an arm of 1 m
+ * are 0.4 N m s, which a central force keeps. */
+static void test_blow_of_second_try(CliFixture *fixture, gconstpointer data)
+{
+    static const char orbit[] =
+        "{\"tinker\": 1, \"run\": {\"duration\": 4, \"method\": \"rk4\", \"accuracy\": 1e-7}, \"blocks\": ["
+        "{\"type\": \"mass\", \"name\": \"A\", \"position\": [1, 0]},"
+        "{\"type\": \"impulse\", \"name\": \"Blow\", \"ends\": [\"A\"], \"impulse\": 0.4, \"angle\": \"90 deg\"},"
+        "{\"type\": \"law-force\", \"ends\": [\"A\"], \"potential\": \"-1/sqrt(x^2+y^2)\"}]}";
+    static const Expected expected[] = {
+        {"momentum/momentum/0/1", 0},   {"momentum/impulses/Blow/1", 0.4}, {"energy/work/Blow", 0.08},
+        {"angular/impulses/Blow", 0.4}, {"impacts/0/impulse/1", 0.4},
+    };
+    assert_answer(fixture, orbit, "books @scene.json --as json", expected, G_N_ELEMENTS(expected));
+}
+
 static void test_blow_that_is_held(CliFixture *fixture, gconstpointer data)
 {
     static const Expected expected[] = {{"impacts/0/work", 1.2},   {"impacts/0/impulse/0", 4},
@@ -451,6 +467,7 @@ int main(int argc, char **argv)
     cli_test_add("/cli/books/struck", test_struck);
     cli_test_add("/cli/books/blow-that-is-held", test_blow_that_is_held);
     cli_test_add("/cli/books/blow-at-start", test_blow_at_start);
+    cli_test_add("/cli/books/blow-of-second-try", test_blow_of_second_try);
     cli_test_add("/cli/books/bumper", test_bumper);
     cli_test_add("/cli/books/dumbbell", test_dumbbell);
     cli_test_add("/cli/books/pulled-less", test_pulled_less);
