@@ -15,9 +15,8 @@
 
 typedef struct {
     TinkerCurveSums *sums;
-    double
-        slope;  /* dy/dt at the end of the last piece; where that is level, of one sign with the way there; NAN: none */
-    double way; /* y: from the last extremum in the last piece, or its start, to its end */
+    double slope;     /* dy/dt at the end of the last piece, or of the sign of `way` at a level; NAN: there is none */
+    double way;       /* y: from the last extremum in the last piece, or its start, to its end */
     double level;     /* y: what changes by less is level */
     double since;     /* s: the curve is level from there on; NAN: it is not */
     double off_since; /* s: how far off that may be */
