@@ -111,34 +111,23 @@ static void add_piece(const Walk *walk, const TinkerCurvePiece *piece, double fr
     note(walk, tinker_curve_piece_value(piece, to), walk->off);
 }
 
-/* The extrema within a piece, but for what rounding makes of a start that is `level`; notes the way from the last one.
- */
-static void add_roots(Walk *walk, const TinkerCurvePiece *piece, double from, double to, gboolean level)
+/* The extrema within a piece, and what is level before it, which ends with the way to the first of them that is away
+ * from there, or to the end; notes the way from the last one. */
+static void add_extrema(Walk *walk, const TinkerCurvePiece *piece, double from, double to)
 {
-    const double end = tinker_curve_piece_value(piece, to);
+    const double end = tinker_curve_piece_value(piece, to), off_time = walk->is_open ? walk->width : 0;
     double roots[2], last = tinker_curve_piece_value(piece, from);
     tinker_curve_piece_level(piece, roots);
     for (int k = 0; k < 2; k++) {
         if (!(roots[k] > from && roots[k] <= to)) continue;
         const double value = tinker_curve_piece_value(piece, roots[k]);
-        if (level && fabs(value - piece->a) <= walk->unclear) continue;
+        if (!isnan(walk->since) && fabs(value - piece->a) <= walk->unclear) continue;
+        if (!isnan(walk->since)) leave_level(walk, piece->start, piece->a, value - piece->a, off_time);
         add_root(walk, piece, roots[k]);
         if (fabs(value - end) > walk->unclear) last = value;
     }
+    if (!isnan(walk->since)) leave_level(walk, piece->start, piece->a, end - piece->a, off_time);
     walk->way = end - last;
-}
-
-/* y: the way on from the start of a piece to the first extremum within it that is away from there, or to its end. */
-static double way_out(const Walk *walk, const TinkerCurvePiece *piece)
-{
-    double roots[2];
-    tinker_curve_piece_level(piece, roots);
-    for (int k = 0; k < 2; k++) {
-        if (!(roots[k] > 0 && roots[k] < 1)) continue;
-        const double way = tinker_curve_piece_value(piece, roots[k]) - piece->a;
-        if (fabs(way) > walk->unclear) return way;
-    }
-    return tinker_curve_piece_value(piece, 1) - piece->a;
 }
 
 /* Whether a piece changes by no more than rounding, and is where the curve has been level, if it has. */
@@ -161,11 +150,8 @@ static void add_part(Walk *walk, const TinkerCurvePiece *piece, double from, dou
         return;
     }
     walk->unclear = fmax(walk->level, walk->off);
-    if (was_level)
-        leave_level(walk, piece->start, piece->a, way_out(walk, piece), walk->is_open ? walk->width : 0);
-    else if (start == 0)
-        add_kink(walk, piece);
-    add_roots(walk, piece, start, end, was_level);
+    if (!was_level && start == 0) add_kink(walk, piece);
+    add_extrema(walk, piece, start, end);
     walk->slope = tinker_curve_piece_end_slope(piece);
 }
 

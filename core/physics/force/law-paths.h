@@ -33,6 +33,8 @@ typedef struct {
     double mass;  /* kg: the least that it acts on */
     int count;
     TinkerLawArgument arguments[TINKER_TYPED_MOST_ARGUMENTS];
+    TinkerInterval whole;   /* N: that of a step that is looked at; */
+    gboolean is_gentle;     /* and whether it is gentle all along */
     TinkerLawMissed missed; /* the most; 0: nothing */
     int jumps;              /* steps with a jump in them, counted since: */
     double jumps_from;      /* s */

@@ -12,9 +12,9 @@
 
 gboolean tinker_law_chatters(TinkerLawForce *law, const TinkerLawStep *step, double end)
 {
-    TinkerInterval force;
-    if (tinker_law_enclose(law, step, 0, 1, &force)) return FALSE;
-    const double width = force.high - force.low, largest = fmax(fabs(force.low), fabs(force.high));
+    const double width = law->whole.high - law->whole.low;
+    const double largest = fmax(fabs(law->whole.low), fabs(law->whole.high));
+    if (law->is_gentle) return FALSE;
     if (isfinite(width) && width <= TINKER_LAW_JUMP * largest) return FALSE;
     if (law->jumps == 0) law->jumps_from = step->from;
     if (++law->jumps < JUMPS) return FALSE;

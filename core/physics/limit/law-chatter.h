@@ -6,8 +6,8 @@
 
 #include "physics/force/law-paths.h"
 
-/* Looks at a step that is made: TRUE where the law jumps back and forth so often that the run would hardly come to its
- * `end` (s). */
+/* Looks at a step that is made, along which the law is enclosed as a whole: TRUE where the law jumps back and forth so
+ * often that the run would hardly come to its `end` (s). */
 gboolean tinker_law_chatters(TinkerLawForce *law, const TinkerLawStep *step, double end);
 
 #endif

@@ -119,7 +119,7 @@ static gboolean sets_in(const TinkerLawWatch *self, const TinkerLawForce *law, c
 static double first_rough(const TinkerLawWatch *self, const TinkerLawForce *law, const TinkerLawStep *step)
 {
     TinkerInterval force;
-    if (tinker_law_enclose(law, step, 0, 1, &force)) return 1;
+    if (law->is_gentle) return 1;
     const double passes = let_pass(self, law->mass, self->run->choice.tolerance);
     const double part = (step->to - step->from) / PARTS;
     for (int i = 0; i < PARTS; i++)
@@ -259,6 +259,15 @@ static TinkerStatus go_back(TinkerLawWatch *self)
     return TINKER_OK;
 }
 
+/* All laws along the whole of a step. */
+static void enclose_all(TinkerLawWatch *self, const TinkerLawStep *step)
+{
+    for (guint i = 0; i < self->forces->len; i++) {
+        TinkerLawForce *law = &g_array_index(self->forces, TinkerLawForce, i);
+        law->is_gentle = tinker_law_enclose(law, step, 0, 1, &law->whole);
+    }
+}
+
 /* The share of the step that is gentle; 1: all of it. */
 static double gentle_share(TinkerLawWatch *self, const TinkerLawStep *step)
 {
@@ -290,18 +299,17 @@ static TinkerStatus step_in_group(TinkerLawWatch *self, double limit, TinkerStep
 }
 
 /* Behind a step: stops a run whose law jumps back and forth without end. */
-static TinkerStatus look_for_chatter(TinkerLawWatch *self)
+static TinkerStatus look_for_chatter(TinkerLawWatch *self, const TinkerLawStep *step)
 {
-    const TinkerLawStep step = step_of(self, 0, 1);
     for (guint i = 0; i < self->forces->len; i++) {
         TinkerLawForce *law = &g_array_index(self->forces, TinkerLawForce, i);
-        if (!tinker_law_chatters(law, &step, self->end)) continue;
+        if (!tinker_law_chatters(law, step, self->end)) continue;
         tinker_model_tell_failure(
             self->model,
             _("%s: its law jumps back and forth in steps of %.3g s, as a force does that turns against the motion "
               "whenever that turns, and the run would hardly end (let it pass through zero gently, as tanh(vx/0.001) "
               "does in place of vx/abs(vx), or take the friction of a support)"),
-            tinker_scene_block_name(self->model->scene, law->block), step.to - step.from);
+            tinker_scene_block_name(self->model->scene, law->block), step->to - step->from);
         return TINKER_FAILED;
     }
     return TINKER_OK;
@@ -322,11 +330,12 @@ static TinkerStatus step_adaptively(TinkerLawWatch *self, double limit, TinkerSt
         report->rejected = rejected += report->rejected;
         self->times[1] = run->state.t;
         const TinkerLawStep step = step_of(self, 0, 1);
+        enclose_all(self, &step);
         const double h = run->state.t - from, share = h <= least ? 1 : gentle_share(self, &step);
         if (share >= 1) {
             self->most = 2 * fmax(h, self->most);
             self->usual = fmax(h, TINKER_LAW_FADING * self->usual);
-            return look_for_chatter(self);
+            return look_for_chatter(self, &step);
         }
         status = go_back(self);
         self->most = share * h;
